@@ -86,7 +86,9 @@ enum {
     VBSS_RECORD_INPUT_DRAIN_ATTACH = 14,
     /** #vbss_drain_set_attachment_target. Words: drain, attachment. Numbers: target (3). */
     VBSS_RECORD_INPUT_DRAIN_TARGET = 15,
-    VBSS_RECORD_INPUT_DRAIN_DETACH = 16 /**< #vbss_drain_detach. Words: drain, attachment. */
+    VBSS_RECORD_INPUT_DRAIN_DETACH = 16, /**< #vbss_drain_detach. Words: drain, attachment. */
+    /** #vbss_thread_set_roll. Words: thread, attachment. Numbers: roll. */
+    VBSS_RECORD_INPUT_ROLL = 17
 };
 
 /** Change of a running scene: a VBSS_SCENE_SETTING_ constant. */

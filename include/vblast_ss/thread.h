@@ -1,10 +1,11 @@
 /**
  * @file thread.h
- * @brief A suture thread: an elastic rod without twist, alone or as a body of a scene.
+ * @brief A suture thread: an elastic rod, alone or as a body of a scene.
  *
  * The thread is a chain of `segment_count + 1` nodes, numbered from 0; segment i joins the nodes i
  * and i + 1. It resists stretching with EA and bending with EI, which are independent inputs, and
- * carries gravity. Lengths are measured along the thread from node 0 ("arc length").
+ * carries gravity. With a torsional stiffness GJ it resists twist, too; without (default) it has none.
+ * Lengths are measured along the thread from node 0 ("arc length").
  *
  * Method IMPLICIT is implicit with the node positions as unknowns: one system of equations for a step,
  * generalised-alpha in time (Chung and Hulbert 1993; second order, high frequencies damped),
@@ -114,8 +115,8 @@ typedef struct vbss_thread_config {
     double axial_stiffness; /**< Axial stiffness EA, N, 1e-6 to 1e9; default of that preset. */
     /** Bending stiffness EI, N m^2, 0 to 1e3; default of that preset. */
     double bending_stiffness;
-    /** Curvature at rest, 1/m, 0 to 1e4; default 0. Its plane is free, because the thread has no
-     * twist. */
+    /** Curvature at rest, 1/m, 0 to 1e4; default 0. Its plane is free, because such a thread has no
+     * twist: it does not work with torsional_stiffness. */
     double rest_curvature;
     /** Gravitational acceleration, m/s^2, each component at most 1e6 in magnitude; default (0,
      * -9.81, 0). */
@@ -198,6 +199,13 @@ typedef struct vbss_thread_config {
     /** Time in which the moment of the viscous branch decays to 1/e at constant curvature, s, 1e-6 to
      * 1e9; default 1. */
     double relaxation_time;
+    /** Method IMPLICIT: torsional stiffness GJ, N m^2, 0 to 1e3; default 0: the thread has no twist.
+     * docs/explanation/twist.md has the model. Twist needs VBSS_THREAD_MESH_FIXED, a rest_curvature of 0 and
+     * bends without memory. */
+    double torsional_stiffness;
+    /** Twist per length at which there is no torque, rad/m, -1e5 to 1e5; default 0; needs
+     * torsional_stiffness. */
+    double rest_twist;
 } vbss_thread_config;
 
 /** Kind of an attachment: a VBSS_THREAD_ATTACHMENT_ constant. */
@@ -210,7 +218,10 @@ enum {
     VBSS_THREAD_ATTACHMENT_CLAMP = 1,
     VBSS_THREAD_ATTACHMENT_FORCE = 2,  /**< `force` pulls at the node. */
     VBSS_THREAD_ATTACHMENT_SPRING = 3, /**< A spring-damper from `position` to the node. */
-    VBSS_THREAD_ATTACHMENT_MASS = 4 /**< `mass` is fixed to the node; it has inertia and weight. */
+    VBSS_THREAD_ATTACHMENT_MASS = 4, /**< `mass` is fixed to the node; it has inertia and weight. */
+    /** Threads with torsional_stiffness: holds the section at the node, which moves freely;
+     * #vbss_thread_set_roll turns it. A CLAMP does this, too. */
+    VBSS_THREAD_ATTACHMENT_ROLL = 5
 };
 
 /** An attachment acts on one node. Fill it with #vbss_thread_attachment_init. */
@@ -237,7 +248,7 @@ typedef struct vbss_thread_reaction {
     uint32_t struct_size; /**< Bytes of this struct that the library filled. */
     uint32_t node;        /**< The node, as cuts have renumbered it. */
     double force[3];      /**< Force of the attachment on the thread at the end of the step, N. */
-    double torque[3];     /**< CLAMP: torque of the attachment on the thread, N m; else 0. */
+    double torque[3];     /**< CLAMP, ROLL: torque of the attachment on the thread, N m; else 0. */
 } vbss_thread_reaction;
 
 /** An array of a thread: a VBSS_THREAD_VIEW_ constant. */
@@ -263,7 +274,13 @@ enum {
      * clamp as VBSS_THREAD_VIEW_CURVATURES. No entries in a thread without memory of bends. */
     VBSS_THREAD_VIEW_PLASTIC_CURVATURES = 8,
     /** The same for the viscous curvature: that at which the viscous branch has no moment. */
-    VBSS_THREAD_VIEW_VISCOUS_CURVATURES = 9
+    VBSS_THREAD_VIEW_VISCOUS_CURVATURES = 9,
+    /** n - 1 doubles, rad/m: twist per length of each segment; 0 unless it is between two holders. No
+     * entries in a thread without torsional_stiffness. */
+    VBSS_THREAD_VIEW_TWISTS = 10,
+    /** n - 1 x 3 doubles: a unit vector across each segment, at its middle, that is fixed to the material;
+     * for display. No entries in a thread without torsional_stiffness. */
+    VBSS_THREAD_VIEW_MATERIAL_DIRECTORS = 11
 };
 
 /** Energies of a thread, J. */
@@ -274,10 +291,11 @@ typedef struct vbss_thread_energies {
     double stretching;    /**< Elastic energy of EA. */
     double bending;       /**< Elastic energy of bending; with memory what hardening stores, too. */
     double gravity;       /**< Potential, zero at the origin; attached masses included. */
-    double total;         /**< Sum of the four. */
+    double total;         /**< Sum of the four and of `twisting`. */
     /** Energy that plastic and viscous bending have dissipated since creation, or since the cut that
      * made this piece; not part of the total; never decreases. */
     double dissipated;
+    double twisting; /**< Elastic energy of twist. */
 } vbss_thread_energies;
 
 /** Momentum of a thread, attached masses included. */
@@ -416,7 +434,8 @@ VBSS_API vbss_result vbss_thread_grade_lengths(double length, double centre, dou
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE,
  *         VBSS_ERROR_UNKNOWN_FIELD, VBSS_ERROR_OUT_OF_RANGE, VBSS_ERROR_INCOMPATIBLE (an adaptive
  *         mesh with method VBLAST; memory of bends with method VBLAST, an adaptive mesh or a rest
- *         curvature), VBSS_ERROR_NOT_FINITE, VBSS_ERROR_OUT_OF_MEMORY or
+ *         curvature; torsional_stiffness with one of these three or with memory of bends; rest_twist
+ *         without torsional_stiffness), VBSS_ERROR_NOT_FINITE, VBSS_ERROR_OUT_OF_MEMORY or
  *         VBSS_ERROR_BUSY
  * @threads one thread at a time per context
  * @since 1.0
@@ -466,6 +485,7 @@ VBSS_API vbss_result vbss_thread_step(vbss_thread *thread, double h);
 /**
  * Sets positions and velocities of the nodes. Nodes held by attachments move to their targets in the next step.
  * Plastic and viscous curvatures stay, in the plane of the new bend at each node and on the same side of it.
+ * The twist between two holders of the section stays.
  *
  * @param thread      the thread
  * @param positions   3 doubles per node, m, each at most 1e3 in magnitude; NULL keeps them
@@ -506,7 +526,7 @@ static inline vbss_thread_attachment vbss_thread_attachment_default(void)
 }
 
 /**
- * Attaches something to a node. A node takes one PIN or CLAMP, and any number of the others. All fields
+ * Attaches something to a node. A node takes one PIN or CLAMP, one CLAMP or ROLL, and any number of the others. All fields
  * must be in their ranges, also those that the kind does not read.
  *
  * @param thread      the thread
@@ -514,7 +534,8 @@ static inline vbss_thread_attachment vbss_thread_attachment_default(void)
  * @param[out] id     identifier of the attachment, from 1 on, never reused in this thread
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE,
  *         VBSS_ERROR_UNKNOWN_FIELD, VBSS_ERROR_OUT_OF_RANGE, VBSS_ERROR_IN_USE (the node is held
- *         already), VBSS_ERROR_NOT_FINITE, VBSS_ERROR_CAPACITY or VBSS_ERROR_BUSY
+ *         already), VBSS_ERROR_INCOMPATIBLE (a ROLL on a thread without twist), VBSS_ERROR_NOT_FINITE,
+ *         VBSS_ERROR_CAPACITY or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
  * @since 1.0
  */
@@ -540,7 +561,26 @@ VBSS_API vbss_result vbss_thread_set_attachment_target(vbss_thread *thread, uint
                                                        const double *direction);
 
 /**
- * Removes an attachment.
+ * Sets the roll of a CLAMP or ROLL for the end of the next step: the angle by which it has turned the
+ * section about the thread since it was attached. The section rolls at constant speed during the step, and then
+ * stays. A change of the thread's direction takes the section along without spin. A new holder has the roll 0
+ * and leaves the twist of the thread as it is. The twist between a holder and a free end is zero.
+ *
+ * @param thread  the thread, with torsional_stiffness above 0
+ * @param id      the attachment, a CLAMP or ROLL
+ * @param roll    angle, rad, -1e6 to 1e6, any number of turns; positive by the right-hand rule about the
+ *                direction towards higher nodes
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NOT_FOUND (no such attachment),
+ *         VBSS_ERROR_INCOMPATIBLE (another kind, or a thread without twist), VBSS_ERROR_OUT_OF_RANGE,
+ *         VBSS_ERROR_NOT_FINITE or VBSS_ERROR_BUSY
+ * @threads one thread at a time per context
+ * @since 1.0
+ */
+VBSS_API vbss_result vbss_thread_set_roll(vbss_thread *thread, uint32_t id, double roll);
+
+/**
+ * Removes an attachment. The twist between its neighbours is the sum of those on either side, or zero at a
+ * free end.
  *
  * @param thread  the thread
  * @param id      the attachment

@@ -28,6 +28,7 @@ enum {
     VBSS_EDIT_DRAIN_ATTACH = 14,
     VBSS_EDIT_DRAIN_TARGET = 15,
     VBSS_EDIT_DRAIN_DETACH = 16,
+    VBSS_EDIT_ROLL = 17,
     VBSS_EDIT_STEP = 100,
     VBSS_EDIT_OTHER = 101 /* one without an input of its own: logs have the state after it */
 };

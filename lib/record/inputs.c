@@ -26,6 +26,7 @@ const log_input_shape vbss_log_input_shapes[LOG_INPUT_KINDS] = {
     [VBSS_RECORD_INPUT_DRAIN_ATTACH] = {3, 7},
     [VBSS_RECORD_INPUT_DRAIN_TARGET] = {2, 3},
     [VBSS_RECORD_INPUT_DRAIN_DETACH] = {2, 0},
+    [VBSS_RECORD_INPUT_ROLL] = {2, 1},
 };
 
 static vbss_result attach(vbss_thread *thread, const vbss_record_input *input, uint32_t *id)
@@ -100,7 +101,8 @@ vbss_result vbss_log_apply_input(vbss_scene *scene, uint8_t kind, const vbss_rec
     vbss_grasper *grasper = NULL;
     vbss_drain *drain = NULL;
     uint32_t ignored, *new_id = id != NULL ? id : &ignored;
-    if (kind >= VBSS_RECORD_INPUT_ATTACH && kind <= VBSS_RECORD_INPUT_DETACH) {
+    if ((kind >= VBSS_RECORD_INPUT_ATTACH && kind <= VBSS_RECORD_INPUT_DETACH) ||
+        kind == VBSS_RECORD_INPUT_ROLL) {
         VBSS_TRY(vbss_scene_get_thread(scene, w[0], &thread));
     }
     if (kind >= VBSS_RECORD_INPUT_GRASPER_TARGET && kind <= VBSS_RECORD_INPUT_EXCHANGE) {
@@ -122,6 +124,8 @@ vbss_result vbss_log_apply_input(vbss_scene *scene, uint8_t kind, const vbss_rec
         return vbss_thread_set_attachment_target(thread, w[1], n, w[2] != 0 ? n + 3 : NULL);
     case VBSS_RECORD_INPUT_DETACH:
         return vbss_thread_detach(thread, w[1]);
+    case VBSS_RECORD_INPUT_ROLL:
+        return vbss_thread_set_roll(thread, w[1], n[0]);
     case VBSS_RECORD_INPUT_CUT:
         return vbss_scene_cut_thread(scene, w[0], n[0], new_id);
     case VBSS_RECORD_INPUT_GRASPER_TARGET:

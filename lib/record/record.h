@@ -179,7 +179,7 @@ vbss_result vbss_log_compare_config(const log_header *header, const scene_info *
 
 /* ---- inputs.c: inputs, which are the calls of a host between steps */
 
-enum { LOG_INPUT_KINDS = VBSS_RECORD_INPUT_DRAIN_DETACH + 1 };
+enum { LOG_INPUT_KINDS = VBSS_RECORD_INPUT_ROLL + 1 };
 /* How many words and numbers an input of a kind has. */
 typedef struct log_input_shape {
     uint32_t words, numbers;

@@ -22,7 +22,8 @@ _Static_assert((int)VBSS_EDIT_RIGID_TARGET == (int)VBSS_RECORD_INPUT_RIGID_TARGE
                    (int)VBSS_EDIT_REMOVE == (int)VBSS_RECORD_INPUT_REMOVE &&
                    (int)VBSS_EDIT_DRAIN_ATTACH == (int)VBSS_RECORD_INPUT_DRAIN_ATTACH &&
                    (int)VBSS_EDIT_DRAIN_TARGET == (int)VBSS_RECORD_INPUT_DRAIN_TARGET &&
-                   (int)VBSS_EDIT_DRAIN_DETACH == (int)VBSS_RECORD_INPUT_DRAIN_DETACH,
+                   (int)VBSS_EDIT_DRAIN_DETACH == (int)VBSS_RECORD_INPUT_DRAIN_DETACH &&
+                   (int)VBSS_EDIT_ROLL == (int)VBSS_RECORD_INPUT_ROLL,
                "logs have the numbers of edits");
 
 /* ---- the hook */
@@ -30,7 +31,7 @@ _Static_assert((int)VBSS_EDIT_RIGID_TARGET == (int)VBSS_RECORD_INPUT_RIGID_TARGE
 /* Numbers of edits of bodies are those of the bodies in the scene. */
 static bool is_of_body(uint32_t kind)
 {
-    return (kind >= VBSS_EDIT_ATTACH && kind <= VBSS_EDIT_DETACH) ||
+    return (kind >= VBSS_EDIT_ATTACH && kind <= VBSS_EDIT_DETACH) || kind == VBSS_EDIT_ROLL ||
            (kind >= VBSS_EDIT_GRASPER_TARGET && kind <= VBSS_EDIT_EXCHANGE) ||
            (kind >= VBSS_EDIT_DRAIN_ATTACH && kind <= VBSS_EDIT_DRAIN_DETACH);
 }

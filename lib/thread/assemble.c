@@ -10,6 +10,7 @@
  * the chord. Stiffness of rest curvature is left out. The result is positive unless compression
  * is large. */
 #include "thread/bending_memory.h"
+#include "thread/twist.h"
 
 /* ---- one segment */
 
@@ -282,6 +283,58 @@ static void add_bending_memory(const thread_object *t, vbss_system *system, uint
     }
 }
 
+/* ---- twist */
+
+static void add_matrix(block *b, const mat3 *m)
+{
+    for (int c = 0; c < 3; c++) {
+        lanes column = lanes_make(m->m[0][c], m->m[1][c], m->m[2][c]);
+        b->column[c] = lanes_add(b->column[c], column);
+    }
+}
+
+static void add_twist_stiffness(const thread_object *t, uint32_t node,
+                                const thread_twist_stiffness *s, vbss_system *system,
+                                uint32_t first)
+{
+    /* of nodes `node` - 1 .. `node` + 1 in the two chords */
+    static const double before[3] = {-1.0, 1.0, 0.0}, after[3] = {0.0, -1.0, 1.0};
+    const mat3 mixed_back = mat3_transpose(s->mixed);
+    for (uint32_t a = s->has_before ? 0 : 1; a < (s->has_after ? 3u : 2u); a++) {
+        const uint32_t i = node + a - 1;
+        for (uint32_t b = a; b < (s->has_after ? 3u : 2u); b++) {
+            /* rows of a */
+            mat3 m = mat3_scale(s->before, before[a] * before[b]);
+            m = mat3_add_scaled(m, before[a] * after[b], s->mixed);
+            m = mat3_add_scaled(m, after[a] * before[b], mixed_back);
+            m = mat3_add_scaled(m, after[a] * after[b], s->after);
+            if (b == a) {
+                add_matrix(&system->diagonal[first + i], &m);
+            } else {
+                /* rows belong to the node that is eliminated later */
+                const uint32_t c = t->couplings[i][b - a - 1];
+                m = system->couplings[c].is_transposed ? m : mat3_transpose(m);
+                add_matrix(&system->off_diagonal[c], &m);
+            }
+        }
+    }
+}
+
+static void add_twist(const thread_object *t, vbss_system *system, uint32_t first)
+{
+    for (uint32_t i = 0; i < t->node_count; i++) {
+        system->rhs[first + i] = vec3_add(system->rhs[first + i], t->twist_forces[i]);
+        for (size_t side = 0; side < 2; side++) {
+            const lanes coupling = load(&t->twist_couplings[2 * (size_t)i + side]);
+            add_outer(&system->diagonal[first + i], &coupling, &coupling);
+            const thread_twist_stiffness *s = &t->twist_stiffness[2 * (size_t)i + side];
+            if (s->has_before || s->has_after) {
+                add_twist_stiffness(t, i, s, system, first);
+            }
+        }
+    }
+}
+
 void VBSS_WIDE_NAME(vbss_thread_assemble)(const thread_object *t, const thread_substep *substep,
                                           vbss_system *system, uint32_t first)
 {
@@ -291,5 +344,8 @@ void VBSS_WIDE_NAME(vbss_thread_assemble)(const thread_object *t, const thread_s
     add_attachments(t, substep, system, first);
     if (thread_has_memory(t)) {
         add_bending_memory(t, system, first);
+    }
+    if (thread_has_twist(t)) {
+        add_twist(t, system, first);
     }
 }

@@ -31,6 +31,7 @@ void vbss_thread_save_target(thread_attachment *a)
     a->alternate_target = a->target;
     a->alternate_direction = a->target_direction;
     a->alternate_force = a->force;
+    a->alternate_roll = a->target_roll;
 }
 
 /* ---- positions and targets */
@@ -68,6 +69,9 @@ void vbss_thread_swap_targets(thread_object *t)
         swap(&a->target, &a->alternate_target);
         swap(&a->target_direction, &a->alternate_direction);
         swap(&a->force, &a->alternate_force);
+        const double roll = a->target_roll;
+        a->target_roll = a->alternate_roll;
+        a->alternate_roll = roll;
     }
 }
 
@@ -78,5 +82,6 @@ void vbss_thread_commit_attachments(thread_object *t, double h)
         a->velocity = vec3_scale(vec3_sub(a->target, a->position), 1.0 / h);
         a->position = a->target;
         a->direction = a->target_direction;
+        a->roll = a->target_roll;
     }
 }

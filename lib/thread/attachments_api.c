@@ -4,7 +4,7 @@
 #include "base/config.h"
 #include "base/edit_hook.h"
 #include "base/error.h"
-#include "thread/thread.h"
+#include "thread/twist.h"
 
 _Static_assert(sizeof(vbss_thread_attachment) == 112, "published size");
 _Static_assert(sizeof(vbss_thread_reaction) == 56, "published size");
@@ -32,11 +32,19 @@ static vbss_result check_direction(vbss_context *context, const double v[3])
     return vbss_check_range(context, vec3_norm(vec3_load(v)), 1e-100, 1e100, "length of direction");
 }
 
+static bool excludes(const thread_attachment *other, const vbss_thread_attachment *a)
+{
+    const bool holds_section =
+        a->kind == VBSS_THREAD_ATTACHMENT_CLAMP || a->kind == VBSS_THREAD_ATTACHMENT_ROLL;
+    return (vbss_thread_prescribes_motion(other->kind) && vbss_thread_prescribes_motion(a->kind)) ||
+           (thread_holds_section(other) && holds_section);
+}
+
 static vbss_result check_attachment(const thread_object *t, const vbss_thread_attachment *a)
 {
     vbss_context *context = t->context;
     VBSS_TRY(vbss_check_range(context, a->kind, VBSS_THREAD_ATTACHMENT_PIN,
-                              VBSS_THREAD_ATTACHMENT_MASS, "kind"));
+                              VBSS_THREAD_ATTACHMENT_ROLL, "kind"));
     VBSS_TRY(vbss_check_range(context, a->node, 0.0, t->node_count - 1.0, "node"));
     VBSS_TRY(vbss_check_range(context, a->reserved, 0.0, 0.0, "reserved"));
     VBSS_TRY(vbss_check_vector(context, a->position, 1e3, "position"));
@@ -45,14 +53,17 @@ static vbss_result check_attachment(const thread_object *t, const vbss_thread_at
     VBSS_TRY(vbss_check_range(context, a->stiffness, 0.0, 1e9, "stiffness"));
     VBSS_TRY(vbss_check_range(context, a->damping, 0.0, 1e6, "damping"));
     VBSS_TRY(vbss_check_range(context, a->mass, 0.0, 1e3, "mass"));
+    if (a->kind == VBSS_THREAD_ATTACHMENT_ROLL && !thread_has_twist(t)) {
+        return vbss_fail(context, VBSS_ERROR_INCOMPATIBLE,
+                         "a roll needs a thread with a torsional_stiffness above 0");
+    }
     if (t->welded[a->node] != 0 && vbss_thread_prescribes_motion(a->kind)) {
         return vbss_fail(context, VBSS_ERROR_IN_USE, "node %u is held by a body of its scene",
                          a->node);
     }
     for (uint32_t i = 0; i < t->config.attachment_capacity; i++) {
         const thread_attachment *other = &t->attachments[i];
-        if (other->id != 0 && other->node == a->node &&
-            vbss_thread_prescribes_motion(other->kind) && vbss_thread_prescribes_motion(a->kind)) {
+        if (other->id != 0 && other->node == a->node && excludes(other, a)) {
             return vbss_fail(context, VBSS_ERROR_IN_USE, "node %u is held by attachment %u",
                              a->node, other->id);
         }
@@ -114,6 +125,9 @@ vbss_result vbss_thread_attach(vbss_thread *thread, const vbss_thread_attachment
     a->damping = own.damping;
     a->mass = own.mass;
     vbss_thread_save_target(a);
+    if (thread_has_twist(t) && thread_holds_section(a)) {
+        vbss_thread_add_section_holder(t, free_index);
+    }
     vbss_thread_invalidate(t);
     return vbss_edit_end(thread, &input, VBSS_OK);
 }
@@ -147,6 +161,30 @@ vbss_result vbss_thread_set_attachment_target(vbss_thread *thread, uint32_t id,
     return vbss_edit_end(thread, &input, VBSS_OK);
 }
 
+vbss_result vbss_thread_set_roll(vbss_thread *thread, uint32_t id, double roll)
+{
+    VBSS_ENTER(thread);
+    thread_object *t;
+    VBSS_TRY(vbss_thread_edit(thread, &t));
+    thread_attachment *a;
+    VBSS_TRY(vbss_thread_find_attachment(t, id, &a));
+    if (!thread_has_twist(t)) {
+        return vbss_fail(t->context, VBSS_ERROR_INCOMPATIBLE,
+                         "a roll needs a thread with a torsional_stiffness above 0");
+    }
+    if (!thread_holds_section(a)) {
+        return vbss_fail(t->context, VBSS_ERROR_INCOMPATIBLE,
+                         "attachment %u does not hold the section", id);
+    }
+    VBSS_TRY(vbss_check_finite(t->context, &roll, 1, "roll"));
+    VBSS_TRY(vbss_check_range(t->context, roll, -1e6, 1e6, "roll"));
+    vbss_edit input = {.kind = VBSS_EDIT_ROLL, .words = {0, id}, .numbers = {roll}};
+    VBSS_TRY(vbss_edit_begin(thread, &input));
+    a->target_roll = roll;
+    t->generation++;
+    return vbss_edit_end(thread, &input, VBSS_OK);
+}
+
 vbss_result vbss_thread_detach(vbss_thread *thread, uint32_t id)
 {
     VBSS_ENTER(thread);
@@ -156,6 +194,9 @@ vbss_result vbss_thread_detach(vbss_thread *thread, uint32_t id)
     VBSS_TRY(vbss_thread_find_attachment(t, id, &a));
     vbss_edit input = {.kind = VBSS_EDIT_DETACH, .words = {0, id}};
     VBSS_TRY(vbss_edit_begin(thread, &input));
+    if (thread_has_twist(t) && thread_holds_section(a)) {
+        vbss_thread_remove_section_holder(t, (uint32_t)(a - t->attachments));
+    }
     *a = (thread_attachment){0};
     vbss_thread_invalidate(t);
     return vbss_edit_end(thread, &input, VBSS_OK);

@@ -17,6 +17,7 @@
  * VBSS_THREAD_BENDING_LOCAL leaves out the last sum. Both are quadratic in the positions, so coefficients
  * are constant. */
 #include "thread/bending_memory.h"
+#include "thread/twist.h"
 
 #include <string.h>
 
@@ -316,6 +317,9 @@ void vbss_thread_set_clamp_directions(thread_object *t, double fraction)
         thread_clamp *clamp = &t->clamps[c];
         clamp->direction =
             vbss_thread_attachment_direction(&t->attachments[clamp->attachment_index], fraction);
+    }
+    if (thread_has_twist(t)) {
+        vbss_thread_set_section_holders(t, fraction);
     }
     for (uint32_t c = 0; c < t->clamp_count; c++) {
         /* Only the two segments on either side of a clamp depend on its direction. */

@@ -3,7 +3,7 @@
 #include "base/config.h"
 #include "thread/thread.h"
 
-_Static_assert(sizeof(vbss_thread_config) == VBSS_SIZE_WITH_POINTERS(vbss_thread_config, 288u, 3u),
+_Static_assert(sizeof(vbss_thread_config) == VBSS_SIZE_WITH_POINTERS(vbss_thread_config, 304u, 3u),
                "new fields must be listed, with a new version");
 
 typedef struct values {
@@ -55,6 +55,8 @@ static const vbss_field fields[] = {
     NUMBER_SINCE(yield_hardening, 2),
     NUMBER_SINCE(relaxation_ratio, 2),
     NUMBER_SINCE(relaxation_time, 2),
+    NUMBER_SINCE(torsional_stiffness, 3),
+    NUMBER_SINCE(rest_twist, 3),
 };
 
 void vbss_thread_visit_config(vbss_stream *stream, vbss_thread_config *config,
@@ -62,7 +64,7 @@ void vbss_thread_visit_config(vbss_stream *stream, vbss_thread_config *config,
 {
     static const vbss_baseline_fields table = {fields, sizeof fields / sizeof fields[0],
                                                offsetof(values, baseline),
-                                               VBSS_CODE('T', 'C', 'F', 'G'), 2};
+                                               VBSS_CODE('T', 'C', 'F', 'G'), 3};
     if (stream->mode == VBSS_STREAM_READ) {
         config->relaxation_time = 1.0; /* the default, in descriptions of version 1 */
     }

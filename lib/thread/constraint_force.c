@@ -1,6 +1,7 @@
 /* Internal forces at the end of the last step (implicit method): the constraint force of a
  * prescribed node, which is mass times acceleration minus all other forces, and axial forces. */
 #include "thread/bending_memory.h"
+#include "thread/twist.h"
 
 static vec3 bending_force(const thread_object *t, uint32_t node)
 {
@@ -42,13 +43,16 @@ static vec3 stretching_force(const thread_object *t, uint32_t node)
     return force;
 }
 
-/* Force of tension, bending, rest curvature and memory on a node. Tensions are more exact than EA times
- * strain. */
+/* Force of tension, bending, rest curvature, memory and twist on a node. Tensions are more exact than
+ * EA times strain. */
 static vec3 internal_force(const thread_object *t, uint32_t node)
 {
     vec3 force = vec3_add(bending_force(t, node), stretching_force(t, node));
     if (thread_has_memory(t)) {
         force = vec3_add(force, vbss_thread_bending_memory_force(t, node));
+    }
+    if (thread_has_twist(t)) {
+        force = vec3_add(force, vbss_thread_twist_force(t, node));
     }
     return vec3_add(force, vbss_thread_rest_curvature_force(t, node));
 }

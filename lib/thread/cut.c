@@ -1,6 +1,7 @@
 /* Cuts: divides a thread into two. */
 #include "thread/bending_memory.h"
 #include "thread/tuning.h"
+#include "thread/twist.h"
 
 #include <string.h>
 
@@ -85,6 +86,9 @@ static void split_attachments(thread_object *t, thread_object *piece, const thre
         if (a->id != 0 && a->node >= cut->first_piece_node) {
             piece->attachments[i] = *a;
             piece->attachments[i].node -= cut->node_shift;
+            if (thread_has_twist(t)) {
+                piece->now.frames[i] = t->now.frames[i];
+            }
             *a = (thread_attachment){0};
         }
     }

@@ -1,7 +1,7 @@
 /* Derived data: functions of rest lengths and attachments, computed again after one of them
  * has changed. */
 #include "base/error.h"
-#include "thread/thread.h"
+#include "thread/twist.h"
 
 #include <string.h>
 
@@ -188,6 +188,9 @@ vbss_result vbss_thread_update_derived(thread_object *t)
     find_sections(t);
     if (t->bending_matrix != NULL) {
         vbss_thread_build_bending(t);
+    }
+    if (thread_has_twist(t)) {
+        vbss_thread_list_section_holders(t);
     }
     t->is_derived_valid = true;
     t->is_sparsity_valid = false;

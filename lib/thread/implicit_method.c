@@ -2,14 +2,17 @@
 #include "base/error.h"
 #include "base/memory.h"
 #include "thread/bending_memory.h"
+#include "thread/twist.h"
 
 #include <string.h>
 
-enum { ARRAY_COUNT = 11 };
+enum { ARRAY_COUNT = 21 };
 
 static void list_arrays(thread_object *t, vbss_array arrays[ARRAY_COUNT])
 {
     size_t n = t->node_capacity, bends = thread_has_memory(t) ? n : 0;
+    const size_t twists = thread_has_twist(t) ? n : 0,
+                 holders = thread_has_twist(t) ? t->config.attachment_capacity : 0;
     const vbss_array all[] = {
         {&t->bending_matrix, n, sizeof *t->bending_matrix},
         {&t->rest_curvature_forces, n, sizeof(vec3)},
@@ -22,6 +25,16 @@ static void list_arrays(thread_object *t, vbss_array arrays[ARRAY_COUNT])
         {&t->bend_responses, 2 * bends, sizeof *t->bend_responses},
         {&t->memory_curvatures[0], bends, sizeof(vec3)},
         {&t->memory_curvatures[1], bends, sizeof(vec3)},
+        {&t->now.frames, holders, sizeof *t->now.frames},
+        {&t->saved.frames, holders, sizeof *t->saved.frames},
+        {&t->holders, holders, sizeof *t->holders},
+        {&t->twist_spans, holders, sizeof *t->twist_spans},
+        {&t->twist_stiffness, 2 * twists, sizeof *t->twist_stiffness},
+        {&t->twist_forces, twists, sizeof(vec3)},
+        {&t->twist_couplings, 2 * twists, sizeof(vec3)},
+        {&t->twist_scratch, twists, sizeof(vec3)},
+        {&t->twists, twists, sizeof *t->twists},
+        {&t->material_directors, twists, sizeof(vec3)},
     };
     _Static_assert(sizeof all == ARRAY_COUNT * sizeof(vbss_array), "the table has its length");
     memcpy(arrays, all, sizeof all);

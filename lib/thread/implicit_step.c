@@ -8,6 +8,7 @@
 #include "base/error.h"
 #include "thread/bending_memory.h"
 #include "thread/tuning.h"
+#include "thread/twist.h"
 
 #include <string.h>
 
@@ -23,6 +24,9 @@ static bool solve(thread_object *t, const thread_substep *substep)
     vbss_system_clear(t->system);
     if (thread_has_memory(t)) {
         vbss_thread_update_bending_memory(t, substep->integration->h);
+    }
+    if (thread_has_twist(t)) {
+        vbss_thread_update_twist(t, substep);
     }
     VBSS_WIDE_CALL(t->system->wide, vbss_thread_assemble, t, substep, t->system, 0);
     if (!vbss_system_condense(t->system)) {

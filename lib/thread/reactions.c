@@ -1,5 +1,6 @@
 /* Reactions: forces and torques of attachments on the thread, computed at the end of each step. */
 #include "thread/bending_memory.h"
+#include "thread/twist.h"
 
 /* Gradient of the stretching energy with a clamp's direction, on which the length of its
  * arcs depends. */
@@ -51,7 +52,9 @@ vec3 vbss_thread_implicit_reaction_torque(const thread_object *t, uint32_t node)
 {
     for (uint32_t c = 0; c < t->clamp_count; c++) {
         if (t->clamps[c].node == node) {
-            return clamp_torque(t, c);
+            const vec3 torque = clamp_torque(t, c);
+            return thread_has_twist(t) ? vec3_add(torque, vbss_thread_twist_torque(t, node))
+                                       : torque;
         }
     }
     return vec3_zero();
@@ -95,6 +98,9 @@ static void update_reaction(const thread_object *t, thread_attachment *a)
         a->reaction = a->force;
     } else if (a->kind == VBSS_THREAD_ATTACHMENT_SPRING) {
         a->reaction = spring_force(t, a);
+    } else if (a->kind == VBSS_THREAD_ATTACHMENT_ROLL) {
+        a->reaction = vec3_zero();
+        a->reaction_torque = vbss_thread_twist_torque(t, a->node);
     } else {
         vec3 slowed = vec3_add_scaled(t->now.q[a->node], t->config.drag, t->now.v[a->node]);
         a->reaction = vec3_scale(vec3_sub(t->gravity, slowed), a->mass);

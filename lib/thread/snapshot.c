@@ -3,6 +3,7 @@
 #include "thread/bending_memory.h"
 #include "thread/remesh.h"
 #include "thread/tuning.h"
+#include "thread/twist.h"
 
 #include <string.h>
 
@@ -86,6 +87,29 @@ static void visit_memory(vbss_stream *stream, thread_object *t)
     }
 }
 
+/* Twist only: its configuration and state. */
+static void visit_twist(vbss_stream *stream, thread_object *t)
+{
+    const uint32_t capacity = t->config.attachment_capacity;
+    vbss_stream_expect_f64(stream, 90, t->config.torsional_stiffness);
+    vbss_stream_expect_f64(stream, 90, t->config.rest_twist);
+    bool is_valid = true;
+    for (uint32_t i = 0; i < capacity; i++) {
+        thread_attachment *a = &t->attachments[i];
+        thread_section_frame *frame = &t->now.frames[i];
+        vbss_stream_f64(stream, 91, &a->roll, 1);
+        vbss_stream_f64(stream, 92, &a->target_roll, 1);
+        vbss_stream_f64(stream, 93, &frame->direction.x, sizeof *frame / sizeof(double));
+        vbss_stream_u32(stream, 94, &a->owner, 1);
+        vbss_stream_f64(stream, 95, &a->owner_orientation.w, 4);
+        is_valid = is_valid && (a->id == 0 || !thread_holds_section(a) ||
+                                (is_unit(frame->direction) && is_unit(frame->director)));
+    }
+    if (!is_valid && stream->mode == VBSS_STREAM_READ && !stream->trusted) {
+        vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no such frame of a section");
+    }
+}
+
 /* Refuses a snapshot in which two attachments prescribe one node. */
 static void check_prescribed_nodes(vbss_stream *stream, const thread_object *t)
 {
@@ -125,7 +149,7 @@ static void visit_attachment(vbss_stream *stream, const thread_object *t, thread
     if (clamp && !(is_unit(a->direction) && is_unit(a->target_direction))) {
         vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no such direction");
     }
-    if (kind < VBSS_THREAD_ATTACHMENT_PIN || kind > VBSS_THREAD_ATTACHMENT_MASS ||
+    if (kind < VBSS_THREAD_ATTACHMENT_PIN || kind > VBSS_THREAD_ATTACHMENT_ROLL ||
         a->node >= t->node_count || a->id > t->last_id || !(a->stiffness >= 0.0) ||
         !(a->damping >= 0.0) || !(a->mass >= 0.0)) {
         vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no such attachment");
@@ -207,6 +231,9 @@ void vbss_thread_serialise(vbss_stream *stream, void *object)
     if (thread_has_memory(t)) {
         visit_memory(stream, t);
     }
+    if (thread_has_twist(t)) {
+        visit_twist(stream, t);
+    }
     if (stream->mode == VBSS_STREAM_READ) {
         t->is_acceleration_unknown = is_acceleration_unknown != 0;
         t->is_in_setup = is_in_setup != 0;
@@ -230,5 +257,8 @@ void vbss_thread_copy_state(const thread_object *t, thread_state *to, const thre
     to->dissipated_energy = from->dissipated_energy;
     if (thread_has_memory(t)) {
         memcpy(to->bend, from->bend, 2 * (size_t)t->node_count * sizeof *to->bend);
+    }
+    if (thread_has_twist(t)) {
+        memcpy(to->frames, from->frames, t->config.attachment_capacity * sizeof *to->frames);
     }
 }

@@ -2,6 +2,7 @@
  * commit. */
 #include "thread/bending_memory.h"
 #include "thread/tuning.h"
+#include "thread/twist.h"
 
 #include <string.h>
 
@@ -62,6 +63,9 @@ bool vbss_thread_predict(thread_object *t, thread_substep *substep)
         }
     }
     vbss_thread_set_clamp_directions(t, substep->end_fraction);
+    if (thread_has_twist(t)) {
+        vbss_thread_begin_twist(t);
+    }
     vbss_thread_compute_strains(t, t->trial, t->strains);
     double strain = vbss_thread_strain_beyond_tension(t);
     bool is_rejected = !(strain <= THREAD_MAX_PREDICTION_STRAIN) || flips_segment(t);
@@ -115,6 +119,9 @@ double vbss_thread_apply_increment(thread_object *t, const thread_substep *subst
     }
     if (thread_has_memory(t)) {
         largest = vbss_max_or_nan(vbss_thread_bending_memory_residual(t, in), largest);
+    }
+    if (thread_has_twist(t)) {
+        largest = vbss_max_or_nan(vbss_thread_twist_residual(t, in, u), largest);
     }
     return largest;
 }
@@ -171,6 +178,9 @@ void vbss_thread_commit(thread_object *t, const vbss_integration *in)
     set_prescribed_motion(t, in);
     if (thread_has_memory(t)) {
         vbss_thread_commit_bending_memory(t, in->h);
+    }
+    if (thread_has_twist(t)) {
+        vbss_thread_commit_twist(t);
     }
     memcpy(t->now.x, t->trial, t->node_count * sizeof *t->trial);
     memcpy(t->now.tension, t->trial_tension, t->node_count * sizeof *t->trial_tension);

@@ -9,7 +9,7 @@
 
 #include <string.h>
 
-_Static_assert(sizeof(vbss_thread_config) == VBSS_SIZE_WITH_POINTERS(vbss_thread_config, 288u, 3u),
+_Static_assert(sizeof(vbss_thread_config) == VBSS_SIZE_WITH_POINTERS(vbss_thread_config, 304u, 3u),
                "published size");
 
 /* ---- configurations */
@@ -49,7 +49,8 @@ static const vbss_thread_config defaults = {
     .relaxation_time = 1.0,
 };
 static const uint32_t config_sizes[] = {VBSS_SIZE_WITH_POINTERS(vbss_thread_config, 256u, 3u),
-                                        VBSS_SIZE_WITH_POINTERS(vbss_thread_config, 288u, 3u), 0};
+                                        VBSS_SIZE_WITH_POINTERS(vbss_thread_config, 288u, 3u),
+                                        VBSS_SIZE_WITH_POINTERS(vbss_thread_config, 304u, 3u), 0};
 static const vbss_layout config_layout = {"vbss_thread_config", &defaults, config_sizes};
 
 vbss_result vbss_thread_config_init(vbss_thread_config *config, uint32_t struct_size)
@@ -125,6 +126,8 @@ static vbss_result check_choices(vbss_context *context, const vbss_thread_config
         {"yield_hardening", c->yield_hardening, 0.0, 0.999},
         {"relaxation_ratio", c->relaxation_ratio, 0.0, 1e3},
         {"relaxation_time", c->relaxation_time, 1e-6, 1e9},
+        {"torsional_stiffness", c->torsional_stiffness, 0.0, 1e3},
+        {"rest_twist", c->rest_twist, -1e5, 1e5},
     };
     return check_ranges(context, ranges, sizeof ranges / sizeof ranges[0]);
 }
@@ -167,6 +170,26 @@ static vbss_result check_memory(vbss_context *context, const vbss_thread_config 
     return VBSS_OK;
 }
 
+static vbss_result check_twist(vbss_context *context, const vbss_thread_config *c)
+{
+    if (c->torsional_stiffness == 0.0) {
+        return c->rest_twist == 0.0 ? VBSS_OK
+                                    : vbss_fail(context, VBSS_ERROR_INCOMPATIBLE,
+                                                "rest_twist needs a torsional_stiffness above 0");
+    }
+    const char *other = c->method != VBSS_METHOD_IMPLICIT   ? "VBSS_METHOD_VBLAST"
+                        : c->mesh != VBSS_THREAD_MESH_FIXED ? "an adaptive mesh"
+                        : c->rest_curvature != 0.0          ? "a rest curvature"
+                        : c->yield_curvature != 0.0 || c->relaxation_ratio != 0.0
+                            ? "memory of bends"
+                            : NULL;
+    if (other != NULL) {
+        return vbss_fail(context, VBSS_ERROR_INCOMPATIBLE,
+                         "torsional_stiffness does not work with %s", other);
+    }
+    return VBSS_OK;
+}
+
 static vbss_result check_shape(vbss_context *context, const vbss_thread_config *c)
 {
     VBSS_TRY(vbss_check_finite(context, c->gravity, 3, "gravity"));
@@ -204,6 +227,7 @@ vbss_result vbss_thread_read_config(vbss_context *context, const vbss_thread_con
     VBSS_TRY(check_choices(context, own));
     VBSS_TRY(check_mesh(context, own));
     VBSS_TRY(check_memory(context, own));
+    VBSS_TRY(check_twist(context, own));
     return check_shape(context, own);
 }
 

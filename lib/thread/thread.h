@@ -36,6 +36,11 @@ typedef struct thread_attachment {
     /* While a step of the scene is suspended, its target, direction and force; while it runs, those
      * of the host. See vbss_thread_swap_targets. */
     vec3 alternate_target, alternate_direction, alternate_force;
+    /* Twist, CLAMP and ROLL: angle about the thread, rad: current, after the next step, and alternate
+     * as above */
+    double roll, target_roll, alternate_roll;
+    uint32_t owner;         /* ROLL of a scene: a number of its pin or grasp; 0: a host's */
+    quat owner_orientation; /* of the body that it belongs to, at the end of the step of its target_roll */
 } thread_attachment;
 
 /* What one side of a node remembers of its bends; see bending_memory.c. */
@@ -55,6 +60,43 @@ typedef struct thread_bend_response {
     bool before, after;   /* whether the chords on either side take part */
 } thread_bend_response;
 
+/* State of an attachment that holds the section of the thread; see twist_spans.c. */
+typedef struct thread_section_frame {
+    vec3 direction; /* unit: of a clamp, or of the chord beside the node */
+    vec3 director;  /* unit, across it; moves with it without spin */
+    double
+        shape_twist; /* twist of the span from this holder to the next, without their rolls, rad */
+} thread_section_frame;
+
+/* An attachment that holds the section of the thread. */
+typedef struct thread_section_holder {
+    uint32_t attachment_index, node;
+    bool is_clamp; /* it holds the direction, too */
+    vec3
+        direction; /* of a clamp, unit, at the end of the current substep; between steps the current one */
+    double roll; /* the same, rad */
+} thread_section_holder;
+
+/* The thread between two holders that follow each other, in the trial or in the current state. */
+typedef struct thread_twist_span {
+    uint32_t low, high; /* nodes of the holders */
+    bool is_clamped[2]; /* an end has the direction of a clamp, or that of its chord */
+    vec3 direction[2],
+        director[2];           /* of the holders; without clamp those at the start of the substep */
+    double length;             /* at rest, m */
+    double roll_difference;    /* roll of the high holder minus that of the low one, rad */
+    double shape_twist, twist; /* without and with that difference, rad */
+    double torque;             /* N m */
+    /* angle between the directors, and shape_twist, at the start of the substep, rad */
+    double start_angle, start_twist;
+} thread_twist_span;
+
+/* Stiffness of twist at one side of a node, N/m: second derivatives with the chords before and after it. */
+typedef struct thread_twist_stiffness {
+    mat3 before, mixed, after; /* mixed: rows of the chord before */
+    bool has_before, has_after;
+} thread_twist_stiffness;
+
 /* Motion of a thread: an entry of x, v, a, q for each node, a tension for each segment. */
 typedef struct thread_state {
     vec3 *x, *v;
@@ -65,6 +107,9 @@ typedef struct thread_state {
      * memory (implicit method) */
     thread_bend_memory *bend;
     double dissipated_energy; /* by memory since creation, J */
+    /* an entry for each attachment, used by those that hold the section; no entries without twist
+     * (implicit method) */
+    thread_section_frame *frames;
 } thread_state;
 
 /* Part of a clamp in the bending energy:
@@ -191,6 +236,8 @@ struct thread_object {
     thread_arc *arcs;                     /* implicit method */
     thread_clamp *clamps;                 /* in the order of their nodes (implicit method) */
     uint32_t clamp_count;
+    thread_section_holder *holders; /* in the order of their nodes; twist (implicit method) */
+    uint32_t holder_count;
     /* coupling of block i with i + 1 .. i + 3 (implicit method) */
     uint32_t (*couplings)[THREAD_BANDWIDTH];
     vbss_system *system; /* system of a thread that is stepped on its own (implicit method) */
@@ -202,12 +249,20 @@ struct thread_object {
     double *trial_tension;
     vec3 *rest_curvature_forces;          /* N (implicit method) */
     thread_bend_response *bend_responses; /* as thread_state::bend (implicit method) */
+    /* twist (implicit method): an entry for each pair of neighbouring holders; two for each node, of which
+     * the second belongs to the span that begins there; and one for each node */
+    thread_twist_span *twist_spans;
+    thread_twist_stiffness *twist_stiffness; /* two */
+    vec3 *twist_couplings;                   /* two; see twist.c */
+    vec3 *twist_forces, *twist_scratch;      /* one, N */
     thread_strain *strains;
     struct baseline_thread *baseline; /* state of lib/baseline; NULL by the implicit method */
 
     /* views, computed when a host asks */
     double *lengths, *sagittas, *axial_forces; /* axial_forces: implicit method */
     vec3 *curvatures, *memory_curvatures[2];   /* plastic and viscous (implicit method) */
+    double *twists;                            /* implicit method */
+    vec3 *material_directors;                  /* implicit method */
 };
 
 /* ---- handle.c */

@@ -63,6 +63,12 @@
  * are below 1e-9 there. Test: none known. */
 #define THREAD_MEMORY_SERIES_LIMIT VBSS_TUNE(THREAD_MEMORY_SERIES_LIMIT, 1e-3)
 
+/* ---- Twist (twist_spans.c) */
+
+/* Bounds the gradient of twist where the thread folds back on itself, and parallel transport has no plane.
+ * Unit: 1, 1 + cosine of the turn. Origin: chosen: a turn of 177 degrees. Test: none known. */
+#define THREAD_TWIST_MIN_FOLD VBSS_TUNE(THREAD_TWIST_MIN_FOLD, 1e-3)
+
 /* ---- Cuts (cut.c) */
 
 /* A cut this close to a node goes through the node, since slivers need tiny substeps.

@@ -5,13 +5,14 @@
 #include "base/error.h"
 #include "thread/bending_memory.h"
 #include "thread/remesh.h"
+#include "thread/twist.h"
 
 _Static_assert(sizeof(vbss_view) == VBSS_SIZE_WITH_POINTERS(vbss_view, 32u, 1u), "published size");
-_Static_assert(sizeof(vbss_thread_energies) == 56, "published size");
+_Static_assert(sizeof(vbss_thread_energies) == 64, "published size");
 _Static_assert(sizeof(vbss_thread_momentum) == 88, "published size");
 _Static_assert(sizeof(vbss_thread_statistics) == 160, "published size");
 
-static const uint32_t energies_sizes[] = {48, 56, 0}, momentum_sizes[] = {88, 0};
+static const uint32_t energies_sizes[] = {48, 56, 64, 0}, momentum_sizes[] = {88, 0};
 static const uint32_t statistics_sizes[] = {160, 0};
 static const vbss_layout energies_layout = {"vbss_thread_energies", NULL, energies_sizes};
 static const vbss_layout momentum_layout = {"vbss_thread_momentum", NULL, momentum_sizes};
@@ -112,6 +113,17 @@ static vbss_result get_field(thread_object *t, vbss_thread_field field, vbss_vie
                     : vectors(t->now.x, 0);
         return VBSS_OK;
     }
+    case VBSS_THREAD_VIEW_TWISTS:
+    case VBSS_THREAD_VIEW_MATERIAL_DIRECTORS: {
+        const uint32_t count = thread_has_twist(t) ? n - 1 : 0;
+        if (count > 0) {
+            vbss_thread_fill_twist_views(t);
+        }
+        *view = field == VBSS_THREAD_VIEW_TWISTS
+                    ? scalars(count > 0 ? t->twists : t->rest, count)
+                    : vectors(count > 0 ? t->material_directors : t->now.x, count);
+        return VBSS_OK;
+    }
     default:
         return vbss_fail(t->context, VBSS_ERROR_OUT_OF_RANGE, "a thread has no field %d", field);
     }
@@ -152,6 +164,10 @@ vbss_result vbss_thread_get_energies(vbss_thread *thread, vbss_thread_energies *
     own.bending = t->method->bending_energy(t);
     own.dissipated = t->now.dissipated_energy;
     own.total = own.kinetic + own.stretching + own.bending + own.gravity;
+    if (thread_has_twist(t)) {
+        own.twisting = vbss_thread_twist_energy(t);
+        own.total += own.twisting;
+    }
     return vbss_struct_write(t->context, &energies_layout, &own, energies, struct_size);
 }
 

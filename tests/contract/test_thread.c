@@ -205,6 +205,12 @@ static vbss_result call_move(void *t)
     static const double zero[3];
     return vbss_thread_set_attachment_target(t, 1, zero, NULL);
 }
+/* Without twist. */
+static vbss_result call_set_roll(void *t)
+{
+    return vbss_thread_set_roll(t, 1, 0.5);
+}
+
 static vbss_result call_detach(void *t)
 {
     return vbss_thread_detach(t, 1);
@@ -338,7 +344,7 @@ static vbss_result cycle(vbss_context *context, uint32_t i)
     return vbss_thread_destroy(piece);
 }
 
-static const uint32_t config_sizes[] = {280, 312, 0}, attachment_sizes[] = {112, 0};
+static const uint32_t config_sizes[] = {280, 312, 328, 0}, attachment_sizes[] = {112, 0};
 
 static const contract_object object = {
     .name = "thread",
@@ -353,13 +359,14 @@ static const contract_object object = {
     .hash = get_hash,
     .outputs = {{56, {0}, write_reaction},
                 {sizeof(vbss_view), {0}, write_view},
-                {56, {48}, write_energies},
+                {64, {48, 56}, write_energies},
                 {88, {0}, write_momentum},
                 {160, {0}, write_statistics}},
     .calls = {{.call = call_step, .edits = true},
               {.call = call_set_state, .edits = true},
               {.call = call_attach, .edits = true},
               {.call = call_move, .edits = true},
+              {.call = call_set_roll, .edits = true, .result = VBSS_ERROR_INCOMPATIBLE},
               {.call = call_detach, .edits = true},
               {.call = call_cut, .edits = true},
               {.call = call_restore, .edits = true, .result = VBSS_ERROR_CORRUPT},
@@ -425,10 +432,11 @@ static const contract_snapshot snapshot = {
     .restore = restore,
     .fields = {NUMBER(radius), NUMBER(linear_density), NUMBER(axial_stiffness),
                NUMBER(bending_stiffness), NUMBER(rest_curvature), NUMBER(yield_curvature),
-               NUMBER(relaxation_ratio), NUMBER(gravity[2]), NUMBER(drag), NUMBER(damping),
-               NUMBER(spectral_radius), NUMBER(stretch_tolerance), NUMBER(position_tolerance),
-               CHOICE(bending, 1), CHOICE(segment_count, -1), CHOICE(iteration_limit, -1),
-               CHOICE(halving_limit, -1), CHOICE(attachment_capacity, -1)},
+               NUMBER(relaxation_ratio), NUMBER(torsional_stiffness), NUMBER(gravity[2]),
+               NUMBER(drag), NUMBER(damping), NUMBER(spectral_radius), NUMBER(stretch_tolerance),
+               NUMBER(position_tolerance), CHOICE(bending, 1), CHOICE(segment_count, -1),
+               CHOICE(iteration_limit, -1), CHOICE(halving_limit, -1),
+               CHOICE(attachment_capacity, -1)},
     .reserve_more = reserve_cuts,
     .step = call_step,
 };

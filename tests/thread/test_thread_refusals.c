@@ -28,6 +28,7 @@ static const number numbers[] = {
     NUMBER(yield_hardening, 0.0, 0.999),
     NUMBER(relaxation_ratio, 0.0, 1e3),
     NUMBER(relaxation_time, 1e-6, 1e9),
+    NUMBER(torsional_stiffness, 0.0, 1e3),
     NUMBER(drag, 0.0, 1e6),
     NUMBER(damping, 0.0, 1e6),
     NUMBER(spectral_radius, 0.0, 1.0),
@@ -220,7 +221,7 @@ static void bad_attachments_are_rejected(void **state)
     unchanged(&s, VBSS_ERROR_OUT_OF_RANGE, vbss_thread_attach(s.thread, &a, &id));
     a.node = UINT32_MAX;
     unchanged(&s, VBSS_ERROR_OUT_OF_RANGE, vbss_thread_attach(s.thread, &a, &id));
-    a = plain(5, 1);
+    a = plain(6, 1);
     unchanged(&s, VBSS_ERROR_OUT_OF_RANGE, vbss_thread_attach(s.thread, &a, &id));
     a = plain(-1, 1);
     unchanged(&s, VBSS_ERROR_OUT_OF_RANGE, vbss_thread_attach(s.thread, &a, &id));

@@ -43,7 +43,7 @@ static void view_dimensions(void **state)
             assert_non_null(v.data);
         }
         vbss_view v;
-        const vbss_thread_field none[] = {-1, 10, INT32_MAX, INT32_MIN};
+        const vbss_thread_field none[] = {-1, 12, INT32_MAX, INT32_MIN};
         for (int i = 0; i < 4; i++) {
             expect_result(VBSS_ERROR_OUT_OF_RANGE,
                           vbss_thread_get_view(thread, none[i], &v, sizeof v));

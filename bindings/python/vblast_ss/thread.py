@@ -36,7 +36,7 @@ def grade_lengths(length: float, centre: float, finest: float, coarsest: float, 
 
 
 class Thread(Configured, Body, Viewed, Saved):
-    """An elastic rod without twist: a chain of nodes, numbered from 0.
+    """An elastic rod, without twist unless it has a torsional_stiffness: a chain of nodes, numbered from 0.
 
         preset        a thread to start from: "silk_2_0" or "vblast"
         suture        material and USP size to start from: ("silk", "2-0"); ThreadMaterial and ThreadUspSize list them
@@ -124,6 +124,11 @@ class Thread(Configured, Body, Viewed, Saved):
         self._call(lib.vbss_thread_set_attachment_target, index(attachment), doubles(target, "target", 3),
                    optional(direction, "direction", 3))
 
+    def set_roll(self, attachment: int, roll: float) -> None:
+        """Says by which angle, rad, a clamp shall have turned the thread about its direction at the end of the next
+        step. Needs torsional_stiffness."""
+        self._call(lib.vbss_thread_set_roll, index(attachment), roll)
+
     def detach(self, attachment: int) -> None:
         self._call(lib.vbss_thread_detach, index(attachment))
 
@@ -188,6 +193,16 @@ class Thread(Configured, Body, Viewed, Saved):
     def viscous_curvatures(self) -> Array:
         """n x 3, 1/m: that at which the viscous branch has no moment; 0 x 3 without memory of bends."""
         return self._array(ThreadField.VISCOUS_CURVATURES)
+
+    @property
+    def twists(self) -> Array:
+        """n - 1, rad/m: twist per length; no entries without torsional_stiffness."""
+        return self._array(ThreadField.TWISTS)
+
+    @property
+    def material_directors(self) -> Array:
+        """n - 1 x 3: across each segment, fixed to the material; 0 x 3 without torsional_stiffness."""
+        return self._array(ThreadField.MATERIAL_DIRECTORS)
 
     @property
     def node_count(self) -> int:

@@ -7,6 +7,7 @@
 #include "scene/step/groups.h"
 #include "scene/step/step.h"
 #include "scene/world/world.h"
+#include "thread/twist.h"
 
 /* Parts of the state that follow the cursor, as bits of its first word. */
 enum {
@@ -54,6 +55,9 @@ static void visit_targets(vbss_stream *stream, scene_object *s)
             vbss_stream_f64(stream, 156, &a->alternate_target.x, 3);
             vbss_stream_f64(stream, 156, &a->alternate_direction.x, 3);
             vbss_stream_f64(stream, 156, &a->alternate_force.x, 3);
+            if (thread_has_twist(t)) {
+                vbss_stream_f64(stream, 156, &a->alternate_roll, 1);
+            }
             bool unit = a->id == 0 || fabs(vec3_norm(a->alternate_direction) - 1.0) < 1e-6;
             is_valid = is_valid && unit && is_valid_target(a->alternate_target, a->alternate_force);
         }

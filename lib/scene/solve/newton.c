@@ -9,6 +9,7 @@
 #include "scene/tuning.h"
 #include "scene/world/world.h"
 #include "thread/bending_memory.h"
+#include "thread/twist.h"
 
 /* A larger number means that the iteration has diverged. */
 #define DIVERGENCE_LIMIT 1e100
@@ -47,6 +48,9 @@ static void assemble(scene_object *s, const scene_substep *substep, assembly_sco
             if (thread_has_memory(b->thread.thread)) {
                 vbss_thread_update_bending_memory(b->thread.thread,
                                                   b->thread.substep.integration->h);
+            }
+            if (thread_has_twist(b->thread.thread)) {
+                vbss_thread_update_twist(b->thread.thread, &b->thread.substep);
             }
             VBSS_WIDE_CALL(system->wide, vbss_thread_assemble, b->thread.thread, &b->thread.substep,
                            system, b->thread.first_block);
@@ -535,6 +539,9 @@ void vbss_scene_recompute_strains(scene_object *s, const scene_substep *substep)
         if (scene_active_kind(&s->bodies[i]) == SCENE_BODY_THREAD) {
             thread_object *t = s->bodies[i].thread.thread;
             vbss_thread_set_clamp_directions(t, substep->end_fraction);
+            if (thread_has_twist(t)) {
+                vbss_thread_begin_twist(t);
+            }
             vbss_thread_compute_strains(t, t->trial, t->strains);
         }
     }

@@ -1,5 +1,6 @@
 /* Forces of contacts and pins on rigid bodies, and the published views of contacts. */
 #include "scene/step/step.h"
+#include "scene/tools/tools.h"
 #include "scene/world/method.h"
 #include "scene/world/world.h"
 
@@ -169,6 +170,7 @@ void vbss_scene_collect_forces(scene_object *s)
     }
     s->method->publish_contacts(s);
     add_pin_forces(s);
+    vbss_scene_add_section_torques(s);
     if (s->cursor.group + 1 >= s->cursor.group_count) { /* no group waits */
         s->report.statistics.contacts = s->report.contact_count;
     }

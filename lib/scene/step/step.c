@@ -25,6 +25,7 @@ void vbss_scene_begin_step(scene_object *s, double h)
     vbss_scene_record_holes_before_step(s);
     vbss_scene_apply_rigid_targets(s);
     vbss_scene_apply_loads(s);
+    vbss_scene_hold_sections(s, h);
     vbss_scene_limit_rigid_targets(s, h);
     for (uint32_t i = 0; i < s->body_count; i++) {
         scene_body *b = &s->bodies[i];

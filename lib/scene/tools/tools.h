@@ -249,4 +249,13 @@ void vbss_scene_publish_needle(const scene_body *b);
 /* Publishes pose, velocity, hand force and grasps of a grasper for hosts. */
 void vbss_scene_publish_grasper(scene_object *s, scene_body *b);
 
+/* ---- section_holders.c */
+
+/* Before a step of `h` seconds: lets pins on rigid bodies and grasps hold the sections of threads with twist, rolls these
+ * with their bodies, and loads the bodies with their torques. */
+void vbss_scene_hold_sections(scene_object *s, double h);
+
+/* Adds the torques of sections to those of contacts and pins on rigid bodies. */
+void vbss_scene_add_section_torques(scene_object *s);
+
 #endif

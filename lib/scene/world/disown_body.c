@@ -1,5 +1,6 @@
 /* Gives the handle of a body back to the host when the body leaves the scene. */
 #include "scene/world/world.h"
+#include "thread/twist.h"
 
 #include <string.h>
 
@@ -11,6 +12,9 @@ void vbss_scene_disown_thread(scene_body *b)
         t->is_sparsity_valid = false;
         t->gravity = vec3_load(t->config.gravity);
         memset(t->welded, 0, t->node_count * sizeof *t->welded);
+        if (thread_has_twist(t)) {
+            vbss_thread_release_owned_sections(t);
+        }
     }
 }
 

@@ -51,6 +51,8 @@ namespace VblastSs
         DrainTarget = 15,
         /// <summary>vbss_drain_detach. Words: drain, attachment.</summary>
         DrainDetach = 16,
+        /// <summary>vbss_thread_set_roll. Words: thread, attachment. Numbers: roll.</summary>
+        Roll = 17,
     }
 
     /// <summary>

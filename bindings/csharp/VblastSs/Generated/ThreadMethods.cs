@@ -74,8 +74,9 @@ namespace VblastSs
         }
 
         /// <summary>
-        /// Attaches something to a node. A node takes one PIN or CLAMP, and any number of the
-        /// others. All fields must be in their ranges, also those that the kind does not read.
+        /// Attaches something to a node. A node takes one PIN or CLAMP, one CLAMP or ROLL, and any
+        /// number of the others. All fields must be in their ranges, also those that the kind does
+        /// not read.
         /// </summary>
         /// <param name="attachment">the attachment</param>
         public uint Attach(ThreadAttachment attachment)
@@ -101,7 +102,27 @@ namespace VblastSs
             Context.Check(Native.vbss_thread_set_attachment_target(Handle, id, (double*)&target, direction.HasValue ? (double*)&directionValue : null));
         }
 
-        /// <summary>Removes an attachment.</summary>
+        /// <summary>
+        /// Sets the roll of a CLAMP or ROLL for the end of the next step: the angle by which it has
+        /// turned the section about the thread since it was attached. The section rolls at constant
+        /// speed during the step, and then stays. A change of the thread's direction takes the
+        /// section along without spin. A new holder has the roll 0 and leaves the twist of the
+        /// thread as it is. The twist between a holder and a free end is zero.
+        /// </summary>
+        /// <param name="id">the attachment, a CLAMP or ROLL</param>
+        /// <param name="roll">
+        /// angle, rad, -1e6 to 1e6, any number of turns; positive by the right-hand rule about the
+        /// direction towards higher nodes
+        /// </param>
+        public void SetRoll(uint id, double roll)
+        {
+            Context.Check(Native.vbss_thread_set_roll(Handle, id, roll));
+        }
+
+        /// <summary>
+        /// Removes an attachment. The twist between its neighbours is the sum of those on either
+        /// side, or zero at a free end.
+        /// </summary>
         /// <param name="id">the attachment</param>
         public void Detach(uint id)
         {

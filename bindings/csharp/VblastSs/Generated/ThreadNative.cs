@@ -43,6 +43,9 @@ namespace VblastSs
         internal static extern Result vbss_thread_set_attachment_target(ObjectHandle thread, uint id, double* target, double* direction);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern Result vbss_thread_set_roll(ObjectHandle thread, uint id, double roll);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         internal static extern Result vbss_thread_detach(ObjectHandle thread, uint id);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]

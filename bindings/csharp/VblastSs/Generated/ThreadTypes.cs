@@ -104,6 +104,11 @@ namespace VblastSs
         Spring = 3,
         /// <summary>`mass` is fixed to the node; it has inertia and weight.</summary>
         Mass = 4,
+        /// <summary>
+        /// Threads with torsional_stiffness: holds the section at the node, which moves freely;
+        /// vbss_thread_set_roll turns it. A CLAMP does this, too.
+        /// </summary>
+        Roll = 5,
     }
 
     /// <summary>The constants of vbss_thread_field. n is the number of nodes.</summary>
@@ -138,6 +143,16 @@ namespace VblastSs
         PlasticCurvatures = 8,
         /// <summary>The same for the viscous curvature: that at which the viscous branch has no moment.</summary>
         ViscousCurvatures = 9,
+        /// <summary>
+        /// n - 1 doubles, rad/m: twist per length of each segment; 0 unless it is between two
+        /// holders. No entries in a thread without torsional_stiffness.
+        /// </summary>
+        Twists = 10,
+        /// <summary>
+        /// n - 1 x 3 doubles: a unit vector across each segment, at its middle, that is fixed to
+        /// the material; for display. No entries in a thread without torsional_stiffness.
+        /// </summary>
+        MaterialDirectors = 11,
     }
 
     [StructLayout(LayoutKind.Sequential)]
@@ -182,6 +197,8 @@ namespace VblastSs
         internal double YieldHardening;
         internal double RelaxationRatio;
         internal double RelaxationTime;
+        internal double TorsionalStiffness;
+        internal double RestTwist;
     }
 
     /// <summary>Configuration of a thread. Fill it with vbss_thread_config_init, then change fields.</summary>
@@ -275,8 +292,8 @@ namespace VblastSs
         }
 
         /// <summary>
-        /// Curvature at rest, 1/m, 0 to 1e4; default 0. Its plane is free, because the thread has
-        /// no twist.
+        /// Curvature at rest, 1/m, 0 to 1e4; default 0. Its plane is free, because such a thread
+        /// has no twist: it does not work with torsional_stiffness.
         /// </summary>
         public double RestCurvature
         {
@@ -529,6 +546,27 @@ namespace VblastSs
             set { box[0].RelaxationTime = value; }
         }
 
+        /// <summary>
+        /// Method IMPLICIT: torsional stiffness GJ, N m^2, 0 to 1e3; default 0: the thread has no
+        /// twist. docs/explanation/twist.md has the model. Twist needs VBSS_THREAD_MESH_FIXED, a
+        /// rest_curvature of 0 and bends without memory.
+        /// </summary>
+        public double TorsionalStiffness
+        {
+            get { return box[0].TorsionalStiffness; }
+            set { box[0].TorsionalStiffness = value; }
+        }
+
+        /// <summary>
+        /// Twist per length at which there is no torque, rad/m, -1e5 to 1e5; default 0; needs
+        /// torsional_stiffness.
+        /// </summary>
+        public double RestTwist
+        {
+            get { return box[0].RestTwist; }
+            set { box[0].RestTwist = value; }
+        }
+
         internal ThreadConfigData* Pin(Pins pins)
         {
             ref ThreadConfigData data = ref box[0];
@@ -654,7 +692,7 @@ namespace VblastSs
         public uint Node;
         /// <summary>Force of the attachment on the thread at the end of the step, N.</summary>
         public Vector3d Force;
-        /// <summary>CLAMP: torque of the attachment on the thread, N m; else 0.</summary>
+        /// <summary>CLAMP, ROLL: torque of the attachment on the thread, N m; else 0.</summary>
         public Vector3d Torque;
     }
 
@@ -672,13 +710,15 @@ namespace VblastSs
         public double Bending;
         /// <summary>Potential, zero at the origin; attached masses included.</summary>
         public double Gravity;
-        /// <summary>Sum of the four.</summary>
+        /// <summary>Sum of the four and of `twisting`.</summary>
         public double Total;
         /// <summary>
         /// Energy that plastic and viscous bending have dissipated since creation, or since the cut
         /// that made this piece; not part of the total; never decreases.
         /// </summary>
         public double Dissipated;
+        /// <summary>Elastic energy of twist.</summary>
+        public double Twisting;
     }
 
     /// <summary>Momentum of a thread, attached masses included.</summary>

@@ -47,6 +47,8 @@ class RecordInputKind(IntEnum):
     """vbss_drain_set_attachment_target. Words: drain, attachment. Numbers: target (3)."""
     DRAIN_DETACH = 16
     """vbss_drain_detach. Words: drain, attachment."""
+    ROLL = 17
+    """vbss_thread_set_roll. Words: thread, attachment. Numbers: roll."""
 
 
 class SceneSetting(IntEnum):

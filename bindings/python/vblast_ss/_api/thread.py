@@ -93,6 +93,9 @@ class ThreadAttachmentKind(IntEnum):
     """A spring-damper from `position` to the node."""
     MASS = 4
     """`mass` is fixed to the node; it has inertia and weight."""
+    ROLL = 5
+    """Threads with torsional_stiffness: holds the section at the node, which moves freely;
+    vbss_thread_set_roll turns it. A CLAMP does this, too."""
 
 
 class ThreadField(IntEnum):
@@ -120,6 +123,12 @@ class ThreadField(IntEnum):
     clamp as VBSS_THREAD_VIEW_CURVATURES. No entries in a thread without memory of bends."""
     VISCOUS_CURVATURES = 9
     """The same for the viscous curvature: that at which the viscous branch has no moment."""
+    TWISTS = 10
+    """n - 1 doubles, rad/m: twist per length of each segment; 0 unless it is between two holders.
+    No entries in a thread without torsional_stiffness."""
+    MATERIAL_DIRECTORS = 11
+    """n - 1 x 3 doubles: a unit vector across each segment, at its middle, that is fixed to the
+    material; for display. No entries in a thread without torsional_stiffness."""
 
 
 class vbss_thread(ctypes.Structure):
@@ -151,8 +160,8 @@ class vbss_thread_config(ctypes.Structure):
 
     bending_stiffness: Bending stiffness EI, N m^2, 0 to 1e3; default of that preset.
 
-    rest_curvature: Curvature at rest, 1/m, 0 to 1e4; default 0. Its plane is free, because the
-    thread has no twist.
+    rest_curvature: Curvature at rest, 1/m, 0 to 1e4; default 0. Its plane is free, because such
+    a thread has no twist: it does not work with torsional_stiffness.
 
     gravity: Gravitational acceleration, m/s^2, each component at most 1e6 in magnitude; default
     (0, -9.81, 0).
@@ -238,7 +247,14 @@ class vbss_thread_config(ctypes.Structure):
     relaxation_ratio), a slow one EI.
 
     relaxation_time: Time in which the moment of the viscous branch decays to 1/e at constant
-    curvature, s, 1e-6 to 1e9; default 1."""
+    curvature, s, 1e-6 to 1e9; default 1.
+
+    torsional_stiffness: Method IMPLICIT: torsional stiffness GJ, N m^2, 0 to 1e3; default 0:
+    the thread has no twist. docs/explanation/twist.md has the model. Twist needs
+    VBSS_THREAD_MESH_FIXED, a rest_curvature of 0 and bends without memory.
+
+    rest_twist: Twist per length at which there is no torque, rad/m, -1e5 to 1e5; default 0;
+    needs torsional_stiffness."""
     struct_size: int
     method: int
     bending: int
@@ -278,6 +294,8 @@ class vbss_thread_config(ctypes.Structure):
     yield_hardening: float
     relaxation_ratio: float
     relaxation_time: float
+    torsional_stiffness: float
+    rest_twist: float
     _kinds_: ClassVar[dict[str, Any]] = {"method": Method, "bending": ThreadBending, "mesh": ThreadMesh}
     _fields_ = [
         ("struct_size", c_uint32),
@@ -319,6 +337,8 @@ class vbss_thread_config(ctypes.Structure):
         ("yield_hardening", c_double),
         ("relaxation_ratio", c_double),
         ("relaxation_time", c_double),
+        ("torsional_stiffness", c_double),
+        ("rest_twist", c_double),
     ]
 
 
@@ -374,7 +394,7 @@ class vbss_thread_reaction(ctypes.Structure):
 
     force: Force of the attachment on the thread at the end of the step, N.
 
-    torque: CLAMP: torque of the attachment on the thread, N m; else 0."""
+    torque: CLAMP, ROLL: torque of the attachment on the thread, N m; else 0."""
     struct_size: int
     node: int
     force: Any
@@ -406,10 +426,12 @@ class vbss_thread_energies(ctypes.Structure):
 
     gravity: Potential, zero at the origin; attached masses included.
 
-    total: Sum of the four.
+    total: Sum of the four and of `twisting`.
 
     dissipated: Energy that plastic and viscous bending have dissipated since creation, or since
-    the cut that made this piece; not part of the total; never decreases."""
+    the cut that made this piece; not part of the total; never decreases.
+
+    twisting: Elastic energy of twist."""
     struct_size: int
     reserved: int
     kinetic: float
@@ -418,6 +440,7 @@ class vbss_thread_energies(ctypes.Structure):
     gravity: float
     total: float
     dissipated: float
+    twisting: float
     _kinds_: ClassVar[dict[str, Any]] = {}
     _fields_ = [
         ("struct_size", c_uint32),
@@ -428,6 +451,7 @@ class vbss_thread_energies(ctypes.Structure):
         ("gravity", c_double),
         ("total", c_double),
         ("dissipated", c_double),
+        ("twisting", c_double),
     ]
 
 
@@ -439,6 +463,7 @@ class ThreadEnergies(NamedTuple):
     gravity: float
     total: float
     dissipated: float
+    twisting: float
 
 
 class vbss_thread_momentum(ctypes.Structure):
@@ -618,6 +643,7 @@ FUNCTIONS: dict[str, tuple[Any, tuple[Any, ...]]] = {
         POINTER(c_uint32))),
     "vbss_thread_set_attachment_target": (c_int32, (POINTER(vbss_thread), c_uint32,
         POINTER(c_double), POINTER(c_double))),
+    "vbss_thread_set_roll": (c_int32, (POINTER(vbss_thread), c_uint32, c_double)),
     "vbss_thread_detach": (c_int32, (POINTER(vbss_thread), c_uint32)),
     "vbss_thread_get_reaction": (c_int32, (POINTER(vbss_thread), c_uint32,
         POINTER(vbss_thread_reaction), c_uint32)),

@@ -56,6 +56,8 @@ pub const VBSS_RECORD_INPUT_DRAIN_ATTACH: vbss_record_input_kind = 14;
 pub const VBSS_RECORD_INPUT_DRAIN_TARGET: vbss_record_input_kind = 15;
 /// vbss_drain_detach. Words: drain, attachment.
 pub const VBSS_RECORD_INPUT_DRAIN_DETACH: vbss_record_input_kind = 16;
+/// vbss_thread_set_roll. Words: thread, attachment. Numbers: roll.
+pub const VBSS_RECORD_INPUT_ROLL: vbss_record_input_kind = 17;
 
 // The constants of vbss_scene_setting: functions of scene_settings.h, with the third and fourth word of
 // an input, if it has any, and its numbers.

@@ -95,6 +95,9 @@ pub const VBSS_THREAD_ATTACHMENT_FORCE: vbss_thread_attachment_kind = 2;
 pub const VBSS_THREAD_ATTACHMENT_SPRING: vbss_thread_attachment_kind = 3;
 /// `mass` is fixed to the node; it has inertia and weight.
 pub const VBSS_THREAD_ATTACHMENT_MASS: vbss_thread_attachment_kind = 4;
+/// Threads with torsional_stiffness: holds the section at the node, which moves freely;
+/// vbss_thread_set_roll turns it. A CLAMP does this, too.
+pub const VBSS_THREAD_ATTACHMENT_ROLL: vbss_thread_attachment_kind = 5;
 
 // The constants of vbss_thread_field. n is the number of nodes.
 /// n x 3 doubles, m.
@@ -120,6 +123,12 @@ pub const VBSS_THREAD_VIEW_SAGITTAS: vbss_thread_field = 7;
 pub const VBSS_THREAD_VIEW_PLASTIC_CURVATURES: vbss_thread_field = 8;
 /// The same for the viscous curvature: that at which the viscous branch has no moment.
 pub const VBSS_THREAD_VIEW_VISCOUS_CURVATURES: vbss_thread_field = 9;
+/// n - 1 doubles, rad/m: twist per length of each segment; 0 unless it is between two holders. No
+/// entries in a thread without torsional_stiffness.
+pub const VBSS_THREAD_VIEW_TWISTS: vbss_thread_field = 10;
+/// n - 1 x 3 doubles: a unit vector across each segment, at its middle, that is fixed to the material;
+/// for display. No entries in a thread without torsional_stiffness.
+pub const VBSS_THREAD_VIEW_MATERIAL_DIRECTORS: vbss_thread_field = 11;
 
 /// A suture thread.
 #[repr(C)]
@@ -156,8 +165,8 @@ pub struct vbss_thread_config {
     pub axial_stiffness: f64,
     /// Bending stiffness EI, N m^2, 0 to 1e3; default of that preset.
     pub bending_stiffness: f64,
-    /// Curvature at rest, 1/m, 0 to 1e4; default 0. Its plane is free, because the thread has no
-    /// twist.
+    /// Curvature at rest, 1/m, 0 to 1e4; default 0. Its plane is free, because such a thread has no
+    /// twist: it does not work with torsional_stiffness.
     pub rest_curvature: f64,
     /// Gravitational acceleration, m/s^2, each component at most 1e6 in magnitude; default (0,
     /// -9.81, 0).
@@ -241,6 +250,13 @@ pub struct vbss_thread_config {
     /// Time in which the moment of the viscous branch decays to 1/e at constant curvature, s, 1e-6 to
     /// 1e9; default 1.
     pub relaxation_time: f64,
+    /// Method IMPLICIT: torsional stiffness GJ, N m^2, 0 to 1e3; default 0: the thread has no twist.
+    /// docs/explanation/twist.md has the model. Twist needs VBSS_THREAD_MESH_FIXED, a rest_curvature of 0 and
+    /// bends without memory.
+    pub torsional_stiffness: f64,
+    /// Twist per length at which there is no torque, rad/m, -1e5 to 1e5; default 0; needs
+    /// torsional_stiffness.
+    pub rest_twist: f64,
 }
 
 /// An attachment acts on one node. Fill it with vbss_thread_attachment_init.
@@ -281,7 +297,7 @@ pub struct vbss_thread_reaction {
     pub node: u32,
     /// Force of the attachment on the thread at the end of the step, N.
     pub force: [f64; 3],
-    /// CLAMP: torque of the attachment on the thread, N m; else 0.
+    /// CLAMP, ROLL: torque of the attachment on the thread, N m; else 0.
     pub torque: [f64; 3],
 }
 
@@ -301,11 +317,13 @@ pub struct vbss_thread_energies {
     pub bending: f64,
     /// Potential, zero at the origin; attached masses included.
     pub gravity: f64,
-    /// Sum of the four.
+    /// Sum of the four and of `twisting`.
     pub total: f64,
     /// Energy that plastic and viscous bending have dissipated since creation, or since the cut that
     /// made this piece; not part of the total; never decreases.
     pub dissipated: f64,
+    /// Elastic energy of twist.
+    pub twisting: f64,
 }
 
 /// Momentum of a thread, attached masses included.
@@ -435,7 +453,8 @@ extern "C" {
     /// @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE,
     /// VBSS_ERROR_UNKNOWN_FIELD, VBSS_ERROR_OUT_OF_RANGE, VBSS_ERROR_INCOMPATIBLE (an adaptive
     /// mesh with method VBLAST; memory of bends with method VBLAST, an adaptive mesh or a rest
-    /// curvature), VBSS_ERROR_NOT_FINITE, VBSS_ERROR_OUT_OF_MEMORY or
+    /// curvature; torsional_stiffness with one of these three or with memory of bends; rest_twist
+    /// without torsional_stiffness), VBSS_ERROR_NOT_FINITE, VBSS_ERROR_OUT_OF_MEMORY or
     /// VBSS_ERROR_BUSY
     /// @threads one thread at a time per context
     /// @since 1.0
@@ -472,6 +491,7 @@ extern "C" {
     pub fn vbss_thread_step(thread: *mut vbss_thread, h: f64) -> vbss_result;
     /// Sets positions and velocities of the nodes. Nodes held by attachments move to their targets in the next step.
     /// Plastic and viscous curvatures stay, in the plane of the new bend at each node and on the same side of it.
+    /// The twist between two holders of the section stays.
     ///
     /// @param thread      the thread
     /// @param positions   3 doubles per node, m, each at most 1e3 in magnitude; NULL keeps them
@@ -490,7 +510,7 @@ extern "C" {
     /// @threads any thread, any time
     /// @since 1.0
     pub fn vbss_thread_attachment_init(attachment: *mut vbss_thread_attachment, struct_size: u32) -> vbss_result;
-    /// Attaches something to a node. A node takes one PIN or CLAMP, and any number of the others. All fields
+    /// Attaches something to a node. A node takes one PIN or CLAMP, one CLAMP or ROLL, and any number of the others. All fields
     /// must be in their ranges, also those that the kind does not read.
     ///
     /// @param thread      the thread
@@ -498,7 +518,8 @@ extern "C" {
     /// @param id     identifier of the attachment, from 1 on, never reused in this thread
     /// @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE,
     /// VBSS_ERROR_UNKNOWN_FIELD, VBSS_ERROR_OUT_OF_RANGE, VBSS_ERROR_IN_USE (the node is held
-    /// already), VBSS_ERROR_NOT_FINITE, VBSS_ERROR_CAPACITY or VBSS_ERROR_BUSY
+    /// already), VBSS_ERROR_INCOMPATIBLE (a ROLL on a thread without twist), VBSS_ERROR_NOT_FINITE,
+    /// VBSS_ERROR_CAPACITY or VBSS_ERROR_BUSY
     /// @threads one thread at a time per context
     /// @since 1.0
     pub fn vbss_thread_attach(thread: *mut vbss_thread, attachment: *const vbss_thread_attachment, id: *mut u32) -> vbss_result;
@@ -515,7 +536,23 @@ extern "C" {
     /// @threads one thread at a time per context
     /// @since 1.0
     pub fn vbss_thread_set_attachment_target(thread: *mut vbss_thread, id: u32, target: *const f64, direction: *const f64) -> vbss_result;
-    /// Removes an attachment.
+    /// Sets the roll of a CLAMP or ROLL for the end of the next step: the angle by which it has turned the
+    /// section about the thread since it was attached. The section rolls at constant speed during the step, and then
+    /// stays. A change of the thread's direction takes the section along without spin. A new holder has the roll 0
+    /// and leaves the twist of the thread as it is. The twist between a holder and a free end is zero.
+    ///
+    /// @param thread  the thread, with torsional_stiffness above 0
+    /// @param id      the attachment, a CLAMP or ROLL
+    /// @param roll    angle, rad, -1e6 to 1e6, any number of turns; positive by the right-hand rule about the
+    /// direction towards higher nodes
+    /// @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NOT_FOUND (no such attachment),
+    /// VBSS_ERROR_INCOMPATIBLE (another kind, or a thread without twist), VBSS_ERROR_OUT_OF_RANGE,
+    /// VBSS_ERROR_NOT_FINITE or VBSS_ERROR_BUSY
+    /// @threads one thread at a time per context
+    /// @since 1.0
+    pub fn vbss_thread_set_roll(thread: *mut vbss_thread, id: u32, roll: f64) -> vbss_result;
+    /// Removes an attachment. The twist between its neighbours is the sum of those on either side, or zero at a
+    /// free end.
     ///
     /// @param thread  the thread
     /// @param id      the attachment

@@ -84,8 +84,8 @@ impl ThreadConfig<'_> {
         self
     }
 
-    /// Curvature at rest, 1/m, 0 to 1e4; default 0. Its plane is free, because the thread has no
-    /// twist.
+    /// Curvature at rest, 1/m, 0 to 1e4; default 0. Its plane is free, because such a thread has no
+    /// twist: it does not work with torsional_stiffness.
     pub fn rest_curvature(mut self, value: f64) -> Self {
         self.raw.rest_curvature = value;
         self
@@ -251,6 +251,21 @@ impl ThreadConfig<'_> {
     /// 1e9; default 1.
     pub fn relaxation_time(mut self, value: f64) -> Self {
         self.raw.relaxation_time = value;
+        self
+    }
+
+    /// Method IMPLICIT: torsional stiffness GJ, N m^2, 0 to 1e3; default 0: the thread has no twist.
+    /// docs/explanation/twist.md has the model. Twist needs VBSS_THREAD_MESH_FIXED, a rest_curvature of 0 and
+    /// bends without memory.
+    pub fn torsional_stiffness(mut self, value: f64) -> Self {
+        self.raw.torsional_stiffness = value;
+        self
+    }
+
+    /// Twist per length at which there is no torque, rad/m, -1e5 to 1e5; default 0; needs
+    /// torsional_stiffness.
+    pub fn rest_twist(mut self, value: f64) -> Self {
+        self.raw.rest_twist = value;
         self
     }
 }
