@@ -166,14 +166,19 @@ static uint64_t observe_failure(const session_object *s)
     }
 }
 
+static bool is_throwing(const session_object *s)
+{
+    return s->phase == VBSS_SESSION_PHASE_THROW_1 || s->phase == VBSS_SESSION_PHASE_THROW_2 ||
+           s->phase == VBSS_SESSION_PHASE_THROW_3;
+}
+
 static uint64_t observe_mistakes(const session_object *s, const session_observation *observed)
 {
     uint32_t loop = 1 - vbss_session_limb_hand(s);
     const mistake_facts f = {.observed = observed,
                              .before = s->coach.observed,
                              .loop = loop,
-                             .is_throwing = s->phase >= VBSS_SESSION_PHASE_THROW_1 &&
-                                            s->phase < VBSS_SESSION_PHASE_CUT,
+                             .is_throwing = is_throwing(s),
                              .is_untied = s->throw_count == s->seated_count,
                              .turns = s->coach.turns[loop],
                              .wanted = vbss_session_wanted_wraps(s)};

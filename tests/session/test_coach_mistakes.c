@@ -247,7 +247,11 @@ static void throws_are_judged_as_they_are_tied(void **state)
     rig r;
     rig_begin_coached(&r);
     rig_to_tail(&r);
+    rig_wind(&r, RIG_LEFT, 2.4, 1);
+    run(&r);
     rig_hold_thread(&r, RIG_LEFT, 4e-3);
+    run(&r);
+    rig_wind(&r, RIG_LEFT, 0.0, 0);
     rig_pull(&r, 0.3, 2e-3);
     rig_set_throw(&r, 0, 1, 1, VBSS_METRICS_RELATION_FIRST);
     run(&r);
@@ -278,7 +282,11 @@ static void to_tied(rig *r)
 {
     rig_begin_coached(r);
     rig_to_tail(r);
+    rig_wind(r, RIG_LEFT, 2.4, 1);
+    run(r);
     rig_hold_thread(r, RIG_LEFT, 4e-3);
+    run(r);
+    rig_wind(r, RIG_LEFT, 0.0, 0);
     rig_set_throw(r, 0, 2, 1, VBSS_METRICS_RELATION_FIRST);
     rig_pull(r, 0.3, 2e-3);
     run(r);
