@@ -113,10 +113,10 @@ static const double expert[VBSS_SESSION_PHASE_DONE] = {
     [VBSS_SESSION_PHASE_THROW_3] = 20.0, [VBSS_SESSION_PHASE_CUT] = 6.0,
 };
 
-static void add_phase_time(advice_list *l, const facts *f, vbss_session_phase phase)
+static void add_phase_time(advice_list *l, const facts *f, vbss_session_phase number)
 {
-    const char *name = task_phase_name(phase);
-    const struct phase *first = NULL;
+    const char *name = task_phase_name(number);
+    const phase *first = NULL;
     double seconds = 0.0;
     char words[WORDS];
     for (size_t i = 0; i < f->phase_count; i++) {
@@ -125,11 +125,11 @@ static void add_phase_time(advice_list *l, const facts *f, vbss_session_phase ph
             seconds += f->phases[i].to - f->phases[i].from;
         }
     }
-    if (first != NULL && expert[phase] > 0.0) {
+    if (first != NULL && expert[number] > 0.0) {
         (void)snprintf(words, sizeof words,
                        "The phase \"%s\" took %.0f s; the scripted surgeon needs about %.0f s.",
-                       name, seconds, expert[phase]);
-        add(l, seconds - expert[phase], first->from, first->step, words);
+                       name, seconds, expert[number]);
+        add(l, seconds - expert[number], first->from, first->step, words);
     }
 }
 

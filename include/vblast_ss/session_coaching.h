@@ -131,7 +131,8 @@ enum {
     VBSS_SESSION_MISTAKE_TOO_MANY_WRAPS = 18,
     /** There is a knot in one limb alone. Ends: it is open. */
     VBSS_SESSION_MISTAKE_STRAY_KNOT = 19,
-    /** A throw has capsized into a half hitch, which slides. Ends: it is flat again. */
+    /** The first throw, while it is alone, has capsized into a half hitch, which slides. Ends: it is flat
+     * again. */
     VBSS_SESSION_MISTAKE_CAPSIZED = 20,
     /** One end of an unseated throw is pulled and the other is not. Ends: both or neither are. */
     VBSS_SESSION_MISTAKE_ONE_SIDED = 21,

@@ -119,6 +119,7 @@ void vbss_session_visit_coach(vbss_stream *stream, session_object *s)
     vbss_stream_f64(stream, 85, c->begun, VBSS_SESSION_MISTAKE_COUNT);
     vbss_stream_f64(stream, 86, c->turns, SESSION_HANDS);
     vbss_stream_i32(stream, 87, c->direction, SESSION_HANDS);
+    vbss_stream_i32(stream, 87, &c->next_wraps, 1);
     vbss_stream_f64(stream, 88, &c->max_turns, 1);
     vbss_stream_f64(stream, 89, &c->grasped_turns, 1);
     bool is_wrong = c->goal.value >= (VBSS_SESSION_GOAL_CUT + 1) * SESSION_GOAL_TOOLS ||

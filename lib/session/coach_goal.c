@@ -75,7 +75,21 @@ static session_goal find_goal_of_tail(const session_object *s)
                : make_goal(VBSS_SESSION_GOAL_DRAW_THREAD, hand);
 }
 
-/* ---- throws */
+/* ---- throws, and transfers of the needle between them */
+
+static session_goal find_goal_of_transfer(const session_object *s,
+                                          const session_observation *observed)
+{
+    uint32_t to = vbss_session_taking_hand(s), from = 1 - to;
+    if (observed->tools[to].held_arc >= 0.0) {
+        return make_goal(VBSS_SESSION_GOAL_RELEASE_TAIL, to);
+    }
+    if (s->holding_tools.value == 3) {
+        return make_goal(VBSS_SESSION_GOAL_RELEASE_NEEDLE, from);
+    }
+    return holds_needle(s, from) ? make_goal(VBSS_SESSION_GOAL_HAND_OVER, to)
+                                 : make_goal(VBSS_SESSION_GOAL_TAKE_NEEDLE, to);
+}
 
 static session_goal find_goal_of_winding(const session_object *s, uint32_t limb, uint32_t loop)
 {
@@ -83,13 +97,17 @@ static session_goal find_goal_of_winding(const session_object *s, uint32_t limb,
         is_current(s, VBSS_SESSION_GOAL_TAKE_TAIL) || is_current(s, VBSS_SESSION_GOAL_DRAW_TAIL);
     double turns = vbss_session_wanted_sign(s) * s->coach.turns[loop];
     double wanted = vbss_session_wanted_wraps(s) + (was_wound ? 0.0 : SESSION_TURNS_BEYOND);
-    return turns > wanted ? make_goal(VBSS_SESSION_GOAL_TAKE_TAIL, loop)
-                          : make_goal(VBSS_SESSION_GOAL_WIND, limb);
+    bool ties_nothing = (s->coach.open & 1ull << VBSS_SESSION_MISTAKE_TOWARD_HANDLE) != 0;
+    return turns > wanted && !ties_nothing ? make_goal(VBSS_SESSION_GOAL_TAKE_TAIL, loop)
+                                           : make_goal(VBSS_SESSION_GOAL_WIND, limb);
 }
 
 static session_goal find_goal_of_throw(const session_object *s, const session_observation *observed)
 {
     uint32_t limb = vbss_session_limb_hand(s), loop = 1 - limb;
+    if (vbss_session_has_to_transfer(s)) {
+        return find_goal_of_transfer(s, observed);
+    }
     if (s->holding_tools.value == 0) {
         return make_goal(VBSS_SESSION_GOAL_TAKE_NEEDLE, limb);
     }
@@ -106,20 +124,6 @@ static session_goal find_goal_of_throw(const session_object *s, const session_ob
     return is_wrong || !observed->tools[loop].has_tail
                ? make_goal(VBSS_SESSION_GOAL_RELEASE_TAIL, loop)
                : make_goal(VBSS_SESSION_GOAL_DRAW_TAIL, loop);
-}
-
-static session_goal find_goal_of_transfer(const session_object *s,
-                                          const session_observation *observed)
-{
-    uint32_t to = vbss_session_taking_hand(s), from = 1 - to;
-    if (observed->tools[to].held_arc >= 0.0) {
-        return make_goal(VBSS_SESSION_GOAL_RELEASE_TAIL, to);
-    }
-    if (s->holding_tools.value == 3) {
-        return make_goal(VBSS_SESSION_GOAL_RELEASE_NEEDLE, from);
-    }
-    return holds_needle(s, from) ? make_goal(VBSS_SESSION_GOAL_HAND_OVER, to)
-                                 : make_goal(VBSS_SESSION_GOAL_TAKE_NEEDLE, to);
 }
 
 /* The hand without the needle cuts, if it can. */

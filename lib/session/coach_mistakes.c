@@ -80,7 +80,10 @@ static uint64_t observe_winding(const session_object *s, const mistake_facts *f)
     bool is_wound = is_free && fabs(f->turns) >= SESSION_WOUND_TURNS;
     bool is_square = vbss_session_next_throw(s) == 0;
     bool loses = is_free && c->max_turns >= 1.0 && turns < c->max_turns - SESSION_LOST_TURNS;
-    return when(is_wound && c->direction[f->loop] < 0, BIT(TOWARD_HANDLE)) |
+    /* Complete turns may gather in any order on the way to the tail. */
+    bool is_winding = vbss_session_current_goal(s).goal == VBSS_SESSION_GOAL_WIND ||
+                      (f->before & BIT(TOWARD_HANDLE)) != 0;
+    return when(is_wound && is_winding && c->direction[f->loop] < 0, BIT(TOWARD_HANDLE)) |
            when(is_wound && !is_square && f->turns * vbss_session_wanted_sign(s) < 0.0,
                 BIT(WRONG_SENSE)) |
            from_until(f, BIT(TURNS_LOST), loses,
@@ -96,7 +99,10 @@ static uint64_t observe_grasp(const session_object *s, const mistake_facts *f)
     bool is_tying = f->is_throwing && f->is_untied, holds = tool->held_arc >= 0.0;
     bool is_on_tail = holds && in != NULL && tool->held_arc > in->arc;
     bool held = (c->holding_thread >> f->loop & 1u) != 0;
-    bool is_few = holds && held && c->grasped_turns <= f->wanted;
+    bool is_passed = s->knot.next_throw == VBSS_KNOT_VERDICT_PASSED; /* then wraps are certain */
+    bool is_few = holds && held &&
+                  (is_passed ? c->next_wraps < f->wanted
+                             : c->grasped_turns <= f->wanted - SESSION_TURNS_BEYOND);
     bool drops =
         held && !holds && c->grasped_turns > f->wanted && c->grasped_turns < SESSION_NOT_JUDGED;
     return when(is_tying && is_few && tool->has_tail, BIT(TOO_FEW_TURNS)) |
@@ -110,6 +116,7 @@ static uint64_t observe_grasp(const session_object *s, const mistake_facts *f)
 
 /* ---- the knot */
 
+/* Of two throws the measure of half hitches also rises in good knots, so it counts for the first alone. */
 static uint64_t observe_throws(const session_object *s, const mistake_facts *f)
 {
     const session_coach *c = &s->coach;
@@ -124,7 +131,8 @@ static uint64_t observe_throws(const session_object *s, const mistake_facts *f)
     return when(is_granny, BIT(GRANNY)) | when(is_few, BIT(TOO_FEW_WRAPS)) |
            when(is_many, BIT(TOO_MANY_WRAPS)) |
            when((faults & (uint32_t)VBSS_KNOT_FAULT_STRAY) != 0, BIT(STRAY_KNOT)) |
-           when((faults & (uint32_t)VBSS_KNOT_FAULT_HITCH) != 0, BIT(CAPSIZED)) |
+           when((faults & (uint32_t)VBSS_KNOT_FAULT_HITCH) != 0 && s->throw_count == 1,
+                BIT(CAPSIZED)) |
            when(s->missed_transfers != 0, BIT(TRANSFER_MISSED)) |
            from_until(f, BIT(THROW_UNDONE),
                       s->throw_count<c->throw_count, s->throw_count> c->throw_count) |
@@ -168,8 +176,9 @@ static uint64_t observe_failure(const session_object *s)
 
 static bool is_throwing(const session_object *s)
 {
-    return s->phase == VBSS_SESSION_PHASE_THROW_1 || s->phase == VBSS_SESSION_PHASE_THROW_2 ||
-           s->phase == VBSS_SESSION_PHASE_THROW_3;
+    return !vbss_session_has_to_transfer(s) &&
+           (s->phase == VBSS_SESSION_PHASE_THROW_1 || s->phase == VBSS_SESSION_PHASE_THROW_2 ||
+            s->phase == VBSS_SESSION_PHASE_THROW_3);
 }
 
 static uint64_t observe_mistakes(const session_object *s, const session_observation *observed)
@@ -205,6 +214,7 @@ static double dwell_of(vbss_session_mistake mistake)
     case VBSS_SESSION_MISTAKE_BIGHT:
     case VBSS_SESSION_MISTAKE_TAIL_DROPPED:
     case VBSS_SESSION_MISTAKE_TAIL_SHORT:
+    case VBSS_SESSION_MISTAKE_PULLED_HARD:
         return SESSION_MISTAKE_DWELL;
     default:
         return 0.0; /* its facts are debounced */

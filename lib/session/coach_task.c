@@ -39,8 +39,19 @@ uint32_t vbss_session_taking_hand(const session_object *s)
     return 1 - (tied_by == NO_HAND ? vbss_session_limb_hand(s) : tied_by);
 }
 
+bool vbss_session_has_to_transfer(const session_object *s)
+{
+    return s->seated_count > 0 && s->seated_count <= SESSION_TRANSFERS &&
+           s->throw_count == s->seated_count && (s->transferred >> (s->seated_count - 1) & 1u) == 0;
+}
+
 vbss_result vbss_session_read_winding(session_object *s)
 {
+    vbss_knot_state state;
+    if (s->config.coaching != 0) {
+        VBSS_TRY(vbss_knot_detector_get_state(s->config.knots, &state, sizeof state));
+        s->coach.next_wraps = state.next_wraps;
+    }
     for (uint32_t i = 0; i < SESSION_HANDS && s->config.coaching != 0; i++) {
         vbss_knot_winding w;
         VBSS_TRY(vbss_knot_detector_get_winding(s->config.knots, i, &w, sizeof w));

@@ -171,6 +171,7 @@ vbss_result vbss_session_observe_knot(session_object *s, session_observation *ob
             s->coach.turns[i] = 0.0;
             s->coach.direction[i] = 0;
         }
+        s->coach.next_wraps = 0;
         return VBSS_OK;
     }
     if (s->steps % s->config.knot_interval != 0) {

@@ -144,6 +144,7 @@ typedef struct session_coach {
      * neither. Last result of the detector. */
     double turns[SESSION_HANDS];
     int32_t direction[SESSION_HANDS];
+    int32_t next_wraps; /* of the throw that is being tied, as the detector predicts them */
     /* As of the last step: 1 if the first hole exists; 1 if the thread is in it; bit per hand that holds
      * the thread; numbers of tied and seated throws. */
     uint32_t has_entry, entry_threaded, holding_thread, throw_count, seated_count;
@@ -350,6 +351,9 @@ uint32_t vbss_session_wanted_wraps(const session_object *s);
 double vbss_session_wanted_sign(const session_object *s);
 /* Hand that has to take the needle after the newest throw. */
 uint32_t vbss_session_taking_hand(const session_object *s);
+/* The needle has to change hands before the next throw. The thread may still be wound about a tool then, which
+ * is a phase of the next throw. */
+bool vbss_session_has_to_transfer(const session_object *s);
 /* Reads the winding about the tools of the hands from the detector, if the session coaches. Returns
  * the error of the detector. */
 vbss_result vbss_session_read_winding(session_object *s);

@@ -155,7 +155,10 @@ namespace VblastSs
         TooManyWraps = 18,
         /// <summary>There is a knot in one limb alone. Ends: it is open.</summary>
         StrayKnot = 19,
-        /// <summary>A throw has capsized into a half hitch, which slides. Ends: it is flat again.</summary>
+        /// <summary>
+        /// The first throw, while it is alone, has capsized into a half hitch, which slides. Ends:
+        /// it is flat again.
+        /// </summary>
         Capsized = 20,
         /// <summary>One end of an unseated throw is pulled and the other is not. Ends: both or neither are.</summary>
         OneSided = 21,

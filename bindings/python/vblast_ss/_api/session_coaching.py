@@ -120,7 +120,8 @@ class SessionMistake(IntEnum):
     STRAY_KNOT = 19
     """There is a knot in one limb alone. Ends: it is open."""
     CAPSIZED = 20
-    """A throw has capsized into a half hitch, which slides. Ends: it is flat again."""
+    """The first throw, while it is alone, has capsized into a half hitch, which slides. Ends: it
+    is flat again."""
     ONE_SIDED = 21
     """One end of an unseated throw is pulled and the other is not. Ends: both or neither are."""
     SLACK = 22

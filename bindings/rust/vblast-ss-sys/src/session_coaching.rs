@@ -116,7 +116,8 @@ pub const VBSS_SESSION_MISTAKE_TOO_FEW_WRAPS: vbss_session_mistake = 17;
 pub const VBSS_SESSION_MISTAKE_TOO_MANY_WRAPS: vbss_session_mistake = 18;
 /// There is a knot in one limb alone. Ends: it is open.
 pub const VBSS_SESSION_MISTAKE_STRAY_KNOT: vbss_session_mistake = 19;
-/// A throw has capsized into a half hitch, which slides. Ends: it is flat again.
+/// The first throw, while it is alone, has capsized into a half hitch, which slides. Ends: it is flat
+/// again.
 pub const VBSS_SESSION_MISTAKE_CAPSIZED: vbss_session_mistake = 20;
 /// One end of an unseated throw is pulled and the other is not. Ends: both or neither are.
 pub const VBSS_SESSION_MISTAKE_ONE_SIDED: vbss_session_mistake = 21;
