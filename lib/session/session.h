@@ -152,7 +152,9 @@ typedef struct session_coach {
      * grasp of the tail; when the tail was grasped, or SESSION_NOT_JUDGED once the throw is tied. */
     double max_turns, grasped_turns;
 } session_coach;
+/* Multiplier of the code of a goal, above the number of hands and none; chosen. */
 enum { SESSION_GOAL_TOOLS = 4 };
+/* Turns of a grasp that is not judged: more than any winding has. Chosen. */
 #define SESSION_NOT_JUDGED 1e6
 
 typedef struct session_object {
