@@ -87,7 +87,7 @@ enum {
 /** Mistake of a trainee: a VBSS_SESSION_MISTAKE_ constant. */
 typedef int32_t vbss_session_mistake;
 
-/** The constants of #vbss_session_mistake. "Ends" says what mends the mistake. */
+/** The constants of #vbss_session_mistake. "Ends" gives the condition under which a mistake ends. */
 enum {
     VBSS_SESSION_MISTAKE_NONE = 0, /**< There is no mistake. */
     /** No hand holds the needle, and it is in no wall. Ends: a hand holds it. */
@@ -136,7 +136,7 @@ enum {
     VBSS_SESSION_MISTAKE_CAPSIZED = 20,
     /** One end of an unseated throw is pulled and the other is not. Ends: both or neither are. */
     VBSS_SESSION_MISTAKE_ONE_SIDED = 21,
-    /** A throw has been tied for 5 s, and nobody pulls it down. Ends: both ends are tense, or the
+    /** A throw has been tied for 5 s, and both of its ends are slack. Ends: both ends are tense, or the
      * throw is seated. */
     VBSS_SESSION_MISTAKE_SLACK = 22,
     /** The slit has opened under a seated throw. Ends: the throw is seated. */
@@ -164,7 +164,7 @@ enum {
     VBSS_SESSION_GEOMETRY_PULL = 8 /**< `pull_force` is given; the pull is along `direction`. */
 };
 
-/** What a session's coach says. A number that the goal does not use is zero. */
+/** Goal and mistakes of a session that coaches. A number that the goal does not use is zero. */
 typedef struct vbss_session_coaching {
     uint32_t struct_size;   /**< Bytes of this struct that the library filled. */
     vbss_session_goal goal; /**< The next goal. */
@@ -207,8 +207,7 @@ extern "C" {
 
 /**
  * Returns the coach's goal with its geometry, and the newest mistake, for the state after the last
- * step. The call computes the geometry, in about the time of a view of each body (tens of microseconds
- * while the tail is sought along the thread), changes nothing and allocates nothing.
+ * step. The call computes the geometry from the scene. It changes nothing and allocates nothing.
  *
  * @param session        the session; its configuration has `coaching` 1
  * @param[out] coaching  receives goal, sentences, geometry and numbers

@@ -6,8 +6,7 @@ namespace VblastSs
     {
         /// <summary>
         /// Returns the coach's goal with its geometry, and the newest mistake, for the state after
-        /// the last step. The call computes the geometry, in about the time of a view of each body
-        /// (tens of microseconds while the tail is sought along the thread), changes nothing and
+        /// the last step. The call computes the geometry from the scene. It changes nothing and
         /// allocates nothing.
         /// </summary>
         public SessionCoaching GetCoaching()

@@ -103,7 +103,10 @@ namespace VblastSs
         Cut = 18,
     }
 
-    /// <summary>The constants of vbss_session_mistake. "Ends" says what mends the mistake.</summary>
+    /// <summary>
+    /// The constants of vbss_session_mistake. "Ends" gives the condition under which a mistake
+    /// ends.
+    /// </summary>
     public enum SessionMistake : int
     {
         /// <summary>There is no mistake.</summary>
@@ -163,8 +166,8 @@ namespace VblastSs
         /// <summary>One end of an unseated throw is pulled and the other is not. Ends: both or neither are.</summary>
         OneSided = 21,
         /// <summary>
-        /// A throw has been tied for 5 s, and nobody pulls it down. Ends: both ends are tense, or
-        /// the throw is seated.
+        /// A throw has been tied for 5 s, and both of its ends are slack. Ends: both ends are
+        /// tense, or the throw is seated.
         /// </summary>
         Slack = 22,
         /// <summary>The slit has opened under a seated throw. Ends: the throw is seated.</summary>
@@ -205,7 +208,7 @@ namespace VblastSs
         Pull = 8,
     }
 
-    /// <summary>What a session's coach says. A number that the goal does not use is zero.</summary>
+    /// <summary>Goal and mistakes of a session that coaches. A number that the goal does not use is zero.</summary>
     [StructLayout(LayoutKind.Sequential)]
     public partial struct SessionCoaching
     {

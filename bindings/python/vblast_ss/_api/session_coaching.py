@@ -75,7 +75,8 @@ class SessionGoal(IntEnum):
 
 
 class SessionMistake(IntEnum):
-    """The constants of vbss_session_mistake. "Ends" says what mends the mistake."""
+    """The constants of vbss_session_mistake. "Ends" gives the condition under which a mistake
+    ends."""
     NONE = 0
     """There is no mistake."""
     NEEDLE_DROPPED = 1
@@ -125,8 +126,8 @@ class SessionMistake(IntEnum):
     ONE_SIDED = 21
     """One end of an unseated throw is pulled and the other is not. Ends: both or neither are."""
     SLACK = 22
-    """A throw has been tied for 5 s, and nobody pulls it down. Ends: both ends are tense, or the
-    throw is seated."""
+    """A throw has been tied for 5 s, and both of its ends are slack. Ends: both ends are tense, or
+    the throw is seated."""
     SLIT_OPENED = 23
     """The slit has opened under a seated throw. Ends: the throw is seated."""
     WALLS_CROSSED = 24
@@ -164,7 +165,7 @@ class SessionGeometryBits(IntFlag):
 
 
 class vbss_session_coaching(ctypes.Structure):
-    """What a session's coach says. A number that the goal does not use is zero.
+    """Goal and mistakes of a session that coaches. A number that the goal does not use is zero.
 
     goal: The next goal.
 
@@ -280,8 +281,8 @@ class vbss_session_coaching(ctypes.Structure):
 
 
 class SessionCoaching(NamedTuple):
-    """What a session's coach says. A number that the goal does not use is zero. Fields as
-    vbss_session_coaching says."""
+    """Goal and mistakes of a session that coaches. A number that the goal does not use is zero.
+    Fields as vbss_session_coaching says."""
     goal: SessionGoal
     tool: MetricsTool
     number: int

@@ -72,7 +72,7 @@ pub const VBSS_SESSION_GOAL_TAKE_SHEARS: vbss_session_goal = 17;
 /// along the tail, from the knot. `distance` of the shears' tip from the point.
 pub const VBSS_SESSION_GOAL_CUT: vbss_session_goal = 18;
 
-// The constants of vbss_session_mistake. "Ends" says what mends the mistake.
+// The constants of vbss_session_mistake. "Ends" gives the condition under which a mistake ends.
 /// There is no mistake.
 pub const VBSS_SESSION_MISTAKE_NONE: vbss_session_mistake = 0;
 /// No hand holds the needle, and it is in no wall. Ends: a hand holds it.
@@ -121,7 +121,7 @@ pub const VBSS_SESSION_MISTAKE_STRAY_KNOT: vbss_session_mistake = 19;
 pub const VBSS_SESSION_MISTAKE_CAPSIZED: vbss_session_mistake = 20;
 /// One end of an unseated throw is pulled and the other is not. Ends: both or neither are.
 pub const VBSS_SESSION_MISTAKE_ONE_SIDED: vbss_session_mistake = 21;
-/// A throw has been tied for 5 s, and nobody pulls it down. Ends: both ends are tense, or the
+/// A throw has been tied for 5 s, and both of its ends are slack. Ends: both ends are tense, or the
 /// throw is seated.
 pub const VBSS_SESSION_MISTAKE_SLACK: vbss_session_mistake = 22;
 /// The slit has opened under a seated throw. Ends: the throw is seated.
@@ -157,7 +157,7 @@ pub const VBSS_SESSION_GEOMETRY_ARC: u32 = 4;
 /// `pull_force` is given; the pull is along `direction`.
 pub const VBSS_SESSION_GEOMETRY_PULL: u32 = 8;
 
-/// What a session's coach says. A number that the goal does not use is zero.
+/// Goal and mistakes of a session that coaches. A number that the goal does not use is zero.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct vbss_session_coaching {
@@ -222,8 +222,7 @@ pub struct vbss_session_coaching {
 
 extern "C" {
     /// Returns the coach's goal with its geometry, and the newest mistake, for the state after the last
-    /// step. The call computes the geometry, in about the time of a view of each body (tens of microseconds
-    /// while the tail is sought along the thread), changes nothing and allocates nothing.
+    /// step. The call computes the geometry from the scene. It changes nothing and allocates nothing.
     ///
     /// @param session        the session; its configuration has `coaching` 1
     /// @param coaching  receives goal, sentences, geometry and numbers
