@@ -11,7 +11,8 @@ static vbss_result play(const watch *w, stitch *t, const replay_log *log,
     task k;
     TRY(vbss_replay_create(t->site.rig.context, log->data, log->count, &replay));
     TRY(vbss_replay_begin(replay, t->site.rig.scene));
-    TRY(task_create_within(&k, t, NULL, replay, surgeon_time_limit(&w->options)));
+    const task_plan plan = surgeon_task_plan(&w->options);
+    TRY(task_create_as(&k, t, NULL, replay, &plan));
     vbss_result result = VBSS_OK;
     while (result == VBSS_OK) {
         result = vbss_session_step(k.session, 0.0, 0.0);

@@ -4,7 +4,7 @@
  *             [-w budget of a step in us, 0: none] [-c the same of a call] [-l log] [-p folder for pictures]
  *             [-e seconds between them] [-v]
  *             [-k expert|resident|novice: whose hands] [-m withdrawn|missed|torn|idle|slack|kept: a mistake]
- *             [-a folder for pictures of the key stages] [--calibrate]
+ *             [-a folder for pictures of the key stages] [--calibrate] [--coach: its sentences, too]
  *
  * With --calibrate both budgets are those of this core, so a seed does not do the same everywhere.
  * The log is played back. Tells of each seed what came of it. Exits 0 if in all seeds the hands have made the last stage that was
@@ -25,7 +25,7 @@ static int usage(void)
                     "[-t most seconds] [-w us of a step] [-c us of a call] [-l log] [-p folder for "
                     "pictures] [-e seconds between them] [-k expert|resident|novice] [-m mistake] "
                     "[-a folder for the "
-                    "key stages] [--calibrate] [-v]\n");
+                    "key stages] [--calibrate] [--coach] [-v]\n");
     return 2;
 }
 
@@ -63,6 +63,10 @@ static bool read_options(int count, char **words, watch *w, tally *t, bool *whol
             if (!calibrate(solver)) {
                 return false;
             }
+            continue;
+        }
+        if (strcmp(word, "--coach") == 0) {
+            w->options.coaching = true;
             continue;
         }
         if (strcmp(word, "-v") == 0) {
@@ -142,10 +146,28 @@ static bool is_made(const watch *w, const surgeon *s, bool whole)
            (!whole || (watch_complete(w) && surgeon_slit_is_shut(s)));
 }
 
+/* What the coach says when that changes, and every second. */
+static vbss_result show_coach(void *user, const watch *w, surgeon *s)
+{
+    vbss_session_coaching *before = user, now;
+    TRY(vbss_session_get_coaching(w->task.session, &now, sizeof now));
+    if (now.goal != before->goal || now.tool != before->tool || now.mistake != before->mistake ||
+        s->steps % 1000 == 0) {
+        task_print_coaching(s->stitch.site.rig.time, &now);
+    }
+    *before = now;
+    return VBSS_OK;
+}
+
 static void run(watch w, bool whole, tally *t)
 {
     static surgeon s;
     static double times[WATCH_STEPS];
+    vbss_session_coaching coaching = {.goal = -1};
+    if (w.options.coaching) {
+        w.guest = show_coach;
+        w.user = &coaching;
+    }
     vbss_result result = watch_run(&w, &s, times);
     watch_report(&w, &s, result);
     watch_report_events(&w);

@@ -56,6 +56,34 @@ static bool is_missed(double deviation)
     return deviation > MIN_MISSED && deviation < MAX_MISSED;
 }
 
+static bool is_coached(vbss_session *session, const vbss_session_status *s,
+                       vbss_session_mistake mistake)
+{
+    return happened(session, s, VBSS_SESSION_EVENT_MISTAKE, (uint32_t)mistake, 0);
+}
+
+/* The coach says so, too. It would say of a slack throw in five seconds only. */
+static bool is_coached_as(surgeon_mistake mistake, vbss_session *session,
+                          const vbss_session_status *s)
+{
+    switch (mistake) {
+    case SURGEON_WITHDRAWN:
+        return is_coached(session, s, VBSS_SESSION_MISTAKE_NEEDLE_WITHDRAWN);
+    case SURGEON_MISSED:
+        return is_coached(session, s, VBSS_SESSION_MISTAKE_ENTRY_MISSED) &&
+               is_coached(session, s, VBSS_SESSION_MISTAKE_EXIT_MISSED);
+    case SURGEON_TORN:
+        return is_coached(session, s, VBSS_SESSION_MISTAKE_DRAIN_TEARING) &&
+               is_coached(session, s, VBSS_SESSION_MISTAKE_DRAIN_TORN);
+    case SURGEON_IDLE:
+        return is_coached(session, s, VBSS_SESSION_MISTAKE_TIME_UP);
+    case SURGEON_KEPT:
+        return is_coached(session, s, VBSS_SESSION_MISTAKE_TRANSFER_MISSED);
+    default:
+        return true;
+    }
+}
+
 bool surgeon_mistake_is_reported(surgeon_mistake mistake, vbss_session *session,
                                  vbss_metrics *metrics)
 {
@@ -63,6 +91,9 @@ bool surgeon_mistake_is_reported(surgeon_mistake mistake, vbss_session *session,
     vbss_metrics_report r;
     if (vbss_session_get_status(session, &s, sizeof s) != VBSS_OK ||
         vbss_metrics_get_report(metrics, &r, sizeof r) != VBSS_OK) {
+        return false;
+    }
+    if (!is_coached_as(mistake, session, &s)) {
         return false;
     }
     switch (mistake) {

@@ -4,7 +4,7 @@
 
 #include <stdbool.h>
 
-#include <vblast_ss/session.h>
+#include <vblast_ss/session_coaching.h>
 
 typedef enum surgeon_mistake {
     SURGEON_NO_MISTAKE,

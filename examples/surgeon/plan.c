@@ -13,7 +13,8 @@ void surgeon_plan(const surgeon_options *o, stitch_plan *plan)
         .skill = o->skill};
 }
 
-double surgeon_time_limit(const surgeon_options *o)
+task_plan surgeon_task_plan(const surgeon_options *o)
 {
-    return o->mistake == SURGEON_IDLE ? IDLE_TIME : 0.0;
+    return (task_plan){.time_limit = o->mistake == SURGEON_IDLE ? IDLE_TIME : 0.0,
+                       .coaching = o->coaching || o->mistake != SURGEON_NO_MISTAKE};
 }

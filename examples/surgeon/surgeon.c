@@ -21,7 +21,7 @@ vbss_result surgeon_create(surgeon *s, const surgeon_options *o)
     TRY(stitch_create(&s->stitch, o->seed, &plan));
     hesitation_begin(&s->thinks, skill_or_expert(o->skill), o->seed);
     s->mistake = o->mistake;
-    s->limit = surgeon_time_limit(o);
+    s->limit = surgeon_task_plan(o).time_limit;
     s->stitch.withdraws = o->mistake == SURGEON_WITHDRAWN;
     if (o->mistake == SURGEON_MISSED) {
         s->stitch.beside = BESIDE;

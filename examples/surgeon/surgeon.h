@@ -6,6 +6,7 @@
 #include "surgeon/hand_over.h"
 #include "surgeon/mistake.h"
 #include "surgeon/pull.h"
+#include "surgeon/task.h"
 #include "throw/cut.h"
 #include "throw/throw.h"
 
@@ -53,13 +54,14 @@ typedef struct surgeon_options {
     const vbss_solver_options *solver; /* NULL: the defaults */
     const hand_skill *skill;           /* NULL: an expert's */
     surgeon_mistake mistake;
+    bool coaching;   /* the session coaches; with a mistake it does in any case */
     const char *log; /* may be NULL */
 } surgeon_options;
 
 /* What there is before the first step. (plan.c) */
 void surgeon_plan(const surgeon_options *o, stitch_plan *plan);
-/* Of the session, s; 0: the usual one. (plan.c) */
-double surgeon_time_limit(const surgeon_options *o);
+/* Of the session. (plan.c) */
+task_plan surgeon_task_plan(const surgeon_options *o);
 vbss_result surgeon_create(surgeon *s, const surgeon_options *o);
 /* Hands, devices, scene, and what is seen of it. */
 vbss_result surgeon_step(surgeon *s, double dt);

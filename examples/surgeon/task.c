@@ -8,11 +8,12 @@
 
 vbss_result task_create(task *k, const stitch *t, vbss_record *record, vbss_replay *replay)
 {
-    return task_create_within(k, t, record, replay, 0.0);
+    const task_plan usual = {0};
+    return task_create_as(k, t, record, replay, &usual);
 }
 
-vbss_result task_create_within(task *k, const stitch *t, vbss_record *record, vbss_replay *replay,
-                               double time_limit)
+vbss_result task_create_as(task *k, const stitch *t, vbss_record *record, vbss_replay *replay,
+                           const task_plan *plan)
 {
     const site *s = &t->site;
     vbss_session_config c;
@@ -32,7 +33,8 @@ vbss_result task_create_within(task *k, const stitch *t, vbss_record *record, vb
     c.metrics = k->metrics;
     c.record = record;
     c.replay = replay;
-    c.time_limit = time_limit > 0.0 ? time_limit : c.time_limit;
+    c.time_limit = plan->time_limit > 0.0 ? plan->time_limit : c.time_limit;
+    c.coaching = plan->coaching;
     return vbss_session_create(s->rig.scene, &c, &k->session);
 }
 
@@ -196,6 +198,10 @@ void task_words(const vbss_session_event *e, char words[TASK_WORDS])
         return;
     case VBSS_SESSION_EVENT_DONE:
         snprintf(words, TASK_WORDS, "the task is complete");
+        return;
+    case VBSS_SESSION_EVENT_GOAL:
+    case VBSS_SESSION_EVENT_MISTAKE:
+        task_words_of_coach(e, words);
         return;
     case VBSS_SESSION_EVENT_TIME_LOST:
         snprintf(words, TASK_WORDS, "%s simulated time is lost: %.3f s",

@@ -3,6 +3,8 @@
 #ifndef VBSS_EXAMPLES_SURGEON_TASK_H
 #define VBSS_EXAMPLES_SURGEON_TASK_H
 
+#include <vblast_ss/session_coaching.h>
+
 #include "needle/stitch.h"
 
 typedef struct task {
@@ -13,9 +15,13 @@ typedef struct task {
 
 /* With a record the session writes to it; with a replay it follows that. */
 vbss_result task_create(task *k, const stitch *t, vbss_record *record, vbss_replay *replay);
-/* With another limit of time, s; 0: the usual one. */
-vbss_result task_create_within(task *k, const stitch *t, vbss_record *record, vbss_replay *replay,
-                               double time_limit);
+typedef struct task_plan {
+    double time_limit; /* s; 0: the usual one */
+    bool coaching;
+} task_plan;
+
+vbss_result task_create_as(task *k, const stitch *t, vbss_record *record, vbss_replay *replay,
+                           const task_plan *plan);
 /* In the context of the stitch, which ends them otherwise. */
 vbss_result task_destroy(task *k);
 
@@ -26,5 +32,9 @@ const char *task_failure_name(vbss_session_failure failure);
 enum { TASK_WORDS = 256 };
 /* What happened, in words, with its number and amount. */
 void task_words(const vbss_session_event *e, char words[TASK_WORDS]);
+/* The same of an event of the coach. (words_of_coach.c) */
+void task_words_of_coach(const vbss_session_event *e, char words[TASK_WORDS]);
+/* What the coach says, on standard output. */
+void task_print_coaching(double time, const vbss_session_coaching *c);
 
 #endif

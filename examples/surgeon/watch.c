@@ -123,8 +123,8 @@ static vbss_result perform(watch *w, surgeon *s)
 vbss_result watch_run(watch *w, surgeon *s, double *times)
 {
     TRY(surgeon_create(s, &w->options));
-    TRY(task_create_within(&w->task, &s->stitch, s->stitch.site.rig.record, NULL,
-                           surgeon_time_limit(&w->options)));
+    const task_plan plan = surgeon_task_plan(&w->options);
+    TRY(task_create_as(&w->task, &s->stitch, s->stitch.site.rig.record, NULL, &plan));
     s->stitch.site.rig.session = w->task.session;
     w->began = watch_wall_clock();
     w->times[0] = times;

@@ -10,7 +10,7 @@ static const char *const help[] = {
     "Tab: the other tool    Space or middle button held: it stays",
     "Shift: finer    A D W S Q E: as mouse and wheel",
     "arrows, page up, page down, Home: the camera",
-    "1 contacts  2 forces  3 tension  4 knot  5 task  6 step times",
+    "1 contacts  2 forces  3 tension  4 knot  5 task  6 step times  7 coach",
     "P pause, . a frame on    R from the beginning    H this    Esc",
     "gamepad: sticks move, roll; left bumper: turn; right trigger: jaws;",
     "right bumper: the other tool; left trigger: finer",

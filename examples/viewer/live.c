@@ -64,7 +64,8 @@ static vbss_result begin_task(live *l)
     if (l->stage.tasked == NULL) {
         return VBSS_OK;
     }
-    TRY(task_create(&l->stage.task, l->stage.tasked, s->record, NULL));
+    const task_plan plan = {.coaching = true};
+    TRY(task_create_as(&l->stage.task, l->stage.tasked, s->record, NULL, &plan));
     s->session = l->stage.task.session;
     return VBSS_OK;
 }

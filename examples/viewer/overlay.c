@@ -196,6 +196,9 @@ void overlay_draw(show *s, double time)
     if ((s->overlays & (SHOW_CONTACTS | SHOW_FORCES)) != 0) {
         draw_contacts(s);
     }
+    if ((s->overlays & SHOW_COACH) != 0) {
+        coaching_draw(s);
+    }
     if ((s->overlays & SHOW_FORCES) != 0) {
         draw_hands(s);
     }

@@ -83,6 +83,8 @@ static void on_key(void *user, int key, bool shift)
     (void)shift;
     if (key >= GLFW_KEY_1 && key <= GLFW_KEY_6) {
         p->show.overlays ^= 1U << (key - GLFW_KEY_1);
+    } else if (key == GLFW_KEY_7 || key == GLFW_KEY_C) {
+        p->show.overlays ^= SHOW_COACH;
     } else if (key == GLFW_KEY_F1 || key == GLFW_KEY_H) {
         p->show.overlays ^= SHOW_HELP;
     } else if (key == GLFW_KEY_TAB) {

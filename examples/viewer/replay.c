@@ -87,6 +87,8 @@ static void on_key(void *user, int key, bool shift)
     watching *w = user;
     if (key >= GLFW_KEY_1 && key <= GLFW_KEY_6) {
         w->show.overlays ^= 1U << (key - GLFW_KEY_1);
+    } else if (key == GLFW_KEY_7) {
+        w->show.overlays ^= SHOW_COACH;
     } else if (key == GLFW_KEY_F1 || key == GLFW_KEY_H) {
         w->show.overlays ^= SHOW_HELP;
     } else if (key == GLFW_KEY_SPACE || key == GLFW_KEY_P) {

@@ -51,6 +51,9 @@ static void report(playing *p)
            (int)p->show.knot.state.verdict, (unsigned)p->show.knot.state.throw_count,
            p->show.knot.notation[0] != '\0' ? p->show.knot.notation : "-");
     status_print(&p->show, p->live.time);
+    if ((p->show.overlays & SHOW_COACH) != 0) {
+        coaching_print(&p->show);
+    }
     report_devices(p);
     printf(" size %d %d\n", p->show.renderer.lens.width, p->show.renderer.lens.height);
     fflush(stdout);

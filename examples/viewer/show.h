@@ -15,7 +15,8 @@ enum {
     SHOW_TASK = 16,
     SHOW_TIMES = 32, /* of steps */
     SHOW_HELP = 64,
-    SHOW_ALL = 127
+    SHOW_COACH = 128, /* the next goal, and mistakes */
+    SHOW_ALL = 255
 };
 
 /* Of words, in points of the pen: a capital letter, from line to line, to the border. */
@@ -70,6 +71,12 @@ void overlay_draw(show *s, double time);
 void overlay_help(show *s, const char *const *lines, int count);
 /* Judges the knot, if it was not just done; false: there is none to judge. */
 bool overlay_judge(show *s, double time);
+
+/* ---- coaching.c */
+/* The coach's sentences, numbers and geometry, if the session coaches. */
+void coaching_draw(show *s);
+/* For a script, on standard output. */
+void coaching_print(const show *s);
 
 /* ---- status.c */
 /* Asks session and metrics, if that was not just done; false: there are none. */

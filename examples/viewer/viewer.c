@@ -7,7 +7,7 @@
  *     viewer --replay LOG --png FOLDER [--every SECONDS]  stills, without a window
  *     viewer --replay LOG --mp4 FILE                      a film, by ffmpeg, without a window
  *
- * further [--from SECONDS] [--to SECONDS] [--size WIDTHxHEIGHT] [--show contacts,forces,tension,knot,task,times,help,all]
+ * further [--from SECONDS] [--to SECONDS] [--size WIDTHxHEIGHT] [--show contacts,forces,tension,knot,task,times,help,coach,all]
  * [--frame-steps N: of each frame, however long they take] [--tell: a line a frame]. LOG is what examples/throw, needle, surgeon or --live have written: its note says which scene it
  * is of. That is made as it was then and simulated again, so the pictures are of the physics; those of stills are numbered from 0
  * on, and the first is that at --from. Exits 0 if all was as it shall be and a replay agreed with its log; without OpenGL or a
@@ -30,7 +30,7 @@ static bool read_overlays(const char *words, uint32_t *overlays)
         uint32_t bit;
     } names[] = {{"contacts", SHOW_CONTACTS}, {"forces", SHOW_FORCES}, {"tension", SHOW_TENSION},
                  {"knot", SHOW_KNOT},         {"task", SHOW_TASK},     {"times", SHOW_TIMES},
-                 {"help", SHOW_HELP},         {"all", SHOW_ALL}};
+                 {"help", SHOW_HELP},         {"coach", SHOW_COACH},   {"all", SHOW_ALL}};
     *overlays = 0;
     while (*words != '\0') {
         const size_t length = strcspn(words, ",");
@@ -147,7 +147,7 @@ int main(int argc, char **argv)
                         "[--calibration FILE] and more, as the trainer has them\n"
                         "viewer --replay LOG [--png FOLDER [--every SECONDS]] [--mp4 FILE]\n"
                         "    [--from SECONDS] [--to SECONDS] [--size WIDTHxHEIGHT] [--show "
-                        "contacts,forces,tension,knot,task,times,help,all]\n"
+                        "contacts,forces,tension,knot,task,times,help,coach,all]\n"
                         "    [--frame-steps N] [--tell]\n");
         return 2;
     }

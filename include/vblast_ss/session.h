@@ -140,7 +140,13 @@ enum {
     /** More than `lost_share` of the time since the needle's appearance is lost: `amount` s. Times
      * and score do not compare with those of other trials. Undone: the share has fallen below half
      * of `lost_share`. */
-    VBSS_SESSION_EVENT_TIME_LOST = 18
+    VBSS_SESSION_EVENT_TIME_LOST = 18,
+    /** Only with `coaching`: the goal of the hand `tool` is now `number`, a VBSS_SESSION_GOAL_
+     * constant (session_coaching.h). */
+    VBSS_SESSION_EVENT_GOAL = 19,
+    /** Only with `coaching`: the mistake `number`, a VBSS_SESSION_MISTAKE_ constant, is made. Undone:
+     * it is mended or past. */
+    VBSS_SESSION_EVENT_MISTAKE = 20
 };
 
 /** An event of a session. */
@@ -246,7 +252,9 @@ typedef struct vbss_session_config {
     /** Measure of the gap that seats throws and that status, events and metrics report; default
      * LIPS. */
     vbss_session_gap gap_measure;
-    uint32_t reserved; /**< Zero. */
+    /** 1: the session coaches (session_coaching.h); default 0. The hashes in logs do not depend on it, but
+     * the state of a session that coaches can be restored only to one that coaches, too. */
+    uint32_t coaching;
     /** Share of lost time above which TIME_LOST is an event and `is_lossy` is set, 0 to 1; default
      * 0.02. A trial shorter than 1 s counts as 1 s. */
     double lost_share;

@@ -30,6 +30,7 @@
 #include <vblast_ss/scene_query.h>
 #include <vblast_ss/scene_settings.h>
 #include <vblast_ss/session.h>
+#include <vblast_ss/session_coaching.h>
 #include <vblast_ss/solver_options.h>
 #include <vblast_ss/thread.h>
 #include <vblast_ss/visual.h>

@@ -13,6 +13,9 @@ static const uint32_t status_sizes[] = {136, 160, 0};
 static const vbss_layout status_layout = {"vbss_session_status", NULL, status_sizes};
 static const uint32_t event_sizes[] = {120, 0};
 static const vbss_layout event_layout = {"vbss_session_event", NULL, event_sizes};
+/* Three pointers, each between fields of eight bytes. */
+static const uint32_t coaching_sizes[] = {sizeof(vbss_session_coaching), 0};
+static const vbss_layout coaching_layout = {"vbss_session_coaching", NULL, coaching_sizes};
 
 /* ---- steps */
 
@@ -99,6 +102,21 @@ vbss_result vbss_session_get_status(vbss_session *session, vbss_session_status *
         own.deviation_mm[k] = hole->deviation_mm;
     }
     return vbss_struct_write(s->context, &status_layout, &own, status, struct_size);
+}
+
+vbss_result vbss_session_get_coaching(vbss_session *session, vbss_session_coaching *coaching,
+                                      uint32_t struct_size)
+{
+    VBSS_ENTER(session);
+    session_object *s;
+    VBSS_TRY(vbss_session_open(session, &s));
+    if (s->config.coaching == 0) {
+        return vbss_fail(s->context, VBSS_ERROR_WRONG_STATE,
+                         "the session does not coach: its config has coaching 0");
+    }
+    vbss_session_coaching own = {.struct_size = sizeof own};
+    vbss_session_fill_coaching(s, &own);
+    return vbss_struct_write(s->context, &coaching_layout, &own, coaching, struct_size);
 }
 
 vbss_result vbss_session_get_event(vbss_session *session, uint64_t index, vbss_session_event *event,

@@ -65,7 +65,7 @@ vbss_result vbss_session_read_config(vbss_context *context, const vbss_session_c
         {"seat_force", own->seat_force, 0.0, 1e3},
         {"avulsed_share", own->avulsed_share, 0.0, 1.0},
         {"break_force", own->break_force, 0.0, 1e6},
-        {"reserved", own->reserved, 0.0, 0.0},
+        {"coaching", own->coaching, 0.0, 1.0},
         {"gap_measure", own->gap_measure, VBSS_SESSION_GAP_LIPS, VBSS_SESSION_GAP_EDGES},
         {"lost_share", own->lost_share, 0.0, 1.0},
     };

@@ -167,6 +167,11 @@ vbss_result vbss_session_observe_knot(session_object *s, session_observation *ob
     }
     if (!vbss_session_is_threaded(s)) {
         observed->knot = s->knot = (session_knot_observation){0};
+        for (int i = 0; i < SESSION_HANDS; i++) {
+            s->coach.turns[i] = 0.0;
+            s->coach.direction[i] = 0;
+        }
+        s->coach.next_wraps = 0;
         return VBSS_OK;
     }
     if (s->steps % s->config.knot_interval != 0) {
@@ -182,5 +187,5 @@ vbss_result vbss_session_observe_knot(session_object *s, session_observation *ob
     VBSS_TRY(vbss_knot_detector_step(s->config.knots, &input));
     VBSS_TRY(read_knot(s, &t, &s->knot));
     observed->knot = s->knot;
-    return VBSS_OK;
+    return vbss_session_read_winding(s);
 }

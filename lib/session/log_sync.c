@@ -55,6 +55,12 @@ vbss_result vbss_session_step_scene(session_object *s, double h)
 
 /* ---- session hashes and snapshots */
 
+/* A log is the same whether the session coaches or not. */
+static uint64_t count_logged_events(const session_object *s)
+{
+    return s->event_count - s->coach_event_count;
+}
+
 static vbss_result compare_log_hash(session_object *s)
 {
     replay_object *p;
@@ -63,7 +69,7 @@ static vbss_result compare_log_hash(session_object *s)
     if (!vbss_log_find_session_hash(p, &entry)) {
         return VBSS_OK;
     }
-    return entry.events == s->event_count && entry.hash == vbss_session_task_hash(s)
+    return entry.events == count_logged_events(s) && entry.hash == vbss_session_task_hash(s)
                ? VBSS_OK
                : vbss_fail(s->context, VBSS_ERROR_CORRUPT,
                            "the session after step %llu of the log is not the recorded one",
@@ -89,8 +95,9 @@ static vbss_result write_log_hash(session_object *s)
         return VBSS_OK;
     }
     VBSS_TRY(vbss_record_edit(s->config.record, &r));
-    log_session_hash entry = {
-        .number = r->step.number, .hash = vbss_session_task_hash(s), .events = s->event_count};
+    log_session_hash entry = {.number = r->step.number,
+                              .hash = vbss_session_task_hash(s),
+                              .events = count_logged_events(s)};
     return vbss_log_write_session_hash(r, &entry);
 }
 

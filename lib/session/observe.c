@@ -180,6 +180,7 @@ static void observe_gap(const session_object *s, const scene_drain_info *d,
     bool use_edges = s->config.gap_measure == VBSS_SESSION_GAP_EDGES || d->is_surface;
     observed->gap = use_edges ? gap->gap : gap->opening;
     observed->signed_gap = use_edges ? gap->signed_gap : gap->opening;
+    observed->edge_gap = gap->signed_gap;
     observed->max_gap = use_edges ? gap->largest : gap->widest_opening;
     for (int k = 0; k < 2; k++) {
         observed->lips[k] = use_edges ? d->positions[d->slit_middle[k]] : vec3_load(gap->lips[k]);

@@ -11,6 +11,10 @@
  * phase.c, throws.c and outcome.c, which derive the facts and the phase of the task. They share the
  * queries of task_state.c, and emit events through events.c.
  *
+ * If config.coaching is set, coach.c then derives the goal (coach_goal.c) and the mistakes
+ * (coach_mistakes.c) from the same observation. coach_geometry.c and coach_words.c describe them for
+ * hosts. coach_task.c has the queries that they share.
+ *
  * config.c has the configuration, session.c the handle, snapshot.c the saved state. create.c and
  * api.c have the exported functions. seek.c goes to a step of a log. A file calls only files that
  * do not call it back.
@@ -22,7 +26,7 @@
 #ifndef VBSS_SESSION_SESSION_H
 #define VBSS_SESSION_SESSION_H
 
-#include <vblast_ss/session.h>
+#include <vblast_ss/session_coaching.h>
 
 #include "record/record.h"
 #include "scene/api/inspect.h"
@@ -90,7 +94,8 @@ typedef struct session_observation {
     /* Gap of the slit, m: in its middle, the largest along it, and in its middle with a sign, which
      * is negative if the edges have crossed. config.gap_measure says between what. */
     double gap, max_gap, signed_gap;
-    vec3 lips[2]; /* the points that the gap in the middle is between, left and right */
+    double edge_gap; /* between the edges in the middle, with a sign, by any measure, m */
+    vec3 lips[2];    /* the points that the gap in the middle is between, left and right */
     double torn_fraction,
         drain_radius; /* share of torn anchors of the drain; radius of its tube, m */
     vec3 into_tissue; /* from the slit to the centre of the drain, m */
@@ -119,6 +124,38 @@ typedef struct session_hole {
     /* Offset from the mark on the drain at rest: about the axis, rad; along it, m; in all, mm. */
     double angle, axial, deviation_mm;
 } session_hole;
+
+/* ---- the state of the coach */
+
+typedef struct session_goal {
+    vbss_session_goal goal;
+    uint32_t tool; /* hand that acts, or VBSS_METRICS_TOOL_NONE */
+} session_goal;
+
+typedef struct session_coach {
+    /* The goal: its code times SESSION_GOAL_TOOLS plus the hand. */
+    session_debounced_value goal;
+    double goal_since; /* time of the session at which the goal began, s */
+    /* Bit per mistake: observed in the last step; begun and not ended, which is debounced. */
+    uint64_t observed, open;
+    /* Per mistake: time at which its bit in `observed` last changed; at which it began, s. */
+    double since[VBSS_SESSION_MISTAKE_COUNT], begun[VBSS_SESSION_MISTAKE_COUNT];
+    /* Turns of the thread about each hand's tool; +1: toward the tip, -1: toward the handle, 0:
+     * neither. Last result of the detector. */
+    double turns[SESSION_HANDS];
+    int32_t direction[SESSION_HANDS];
+    int32_t next_wraps; /* of the throw that is being tied, as the detector predicts them */
+    /* As of the last step: 1 if the first hole exists; 1 if the thread is in it; bit per hand that holds
+     * the thread; numbers of tied and seated throws. */
+    uint32_t has_entry, entry_threaded, holding_thread, throw_count, seated_count;
+    /* Turns in the sense and direction that the next throw needs: the largest since the last throw or
+     * grasp of the tail; when the tail was grasped, or SESSION_NOT_JUDGED once the throw is tied. */
+    double max_turns, grasped_turns;
+} session_coach;
+/* Multiplier of the code of a goal, above the number of hands and none; chosen. */
+enum { SESSION_GOAL_TOOLS = 4 };
+/* Turns of a grasp that is not judged: more than any winding has. Chosen. */
+#define SESSION_NOT_JUDGED 1e6
 
 typedef struct session_object {
     vbss_context *context;
@@ -164,6 +201,9 @@ typedef struct session_object {
 
     uint64_t event_count, events_before_step; /* events so far; events before the last step */
     vbss_session_event *events;               /* ring of config.event_capacity events */
+    /* Events among event_count that are the coach's; logs do not count them. */
+    uint64_t coach_event_count;
+    session_coach coach; /* used only with config.coaching */
 
     /* Rebuilt in each step. */
     session_observation observation;
@@ -301,6 +341,65 @@ vbss_session_event *vbss_session_emit_event(session_object *s, vbss_session_even
 vbss_session_event *vbss_session_event_at(const session_object *s, uint64_t index);
 /* Calls the host's listener with each event of the last step. */
 void vbss_session_dispatch_events(session_object *s);
+
+/* ---- coach_task.c */
+
+/* The hand that has the long limb: it holds the needle, did so last, or is the right one. */
+uint32_t vbss_session_limb_hand(const session_object *s);
+/* Number of the throw that is tied or seated next; its wraps; the sign of its turns about the tool of the
+ * other hand that a square knot needs. */
+uint32_t vbss_session_next_throw(const session_object *s);
+uint32_t vbss_session_wanted_wraps(const session_object *s);
+double vbss_session_wanted_sign(const session_object *s);
+/* Hand that has to take the needle after the newest throw. */
+uint32_t vbss_session_taking_hand(const session_object *s);
+/* The needle has to change hands before the next throw. The thread may still be wound about a tool then, which
+ * is a phase of the next throw. */
+bool vbss_session_has_to_transfer(const session_object *s);
+/* Reads the winding about the tools of the hands from the detector, if the session coaches. Returns
+ * the error of the detector. */
+vbss_result vbss_session_read_winding(session_object *s);
+
+/* ---- coach_geometry.c */
+
+/* Distance from the needle's tip to a mark of the drain, m; arc length from the tip of the needle's point nearest
+ * to a position, m. Both bodies must be in the scene. */
+double vbss_session_mark_distance(const session_object *s, uint32_t mark);
+double vbss_session_needle_arc(const session_object *s, vec3 position);
+/* Mark at which a hand pierces first, and second. */
+uint32_t vbss_session_mark_of(const session_object *s, uint32_t hand, uint32_t side);
+/* Fills number, geometry and distances of a goal. All bodies must be in the scene. */
+void vbss_session_describe_goal(const session_object *s, const session_observation *observed,
+                                session_goal goal, vbss_session_coaching *coaching);
+
+/* ---- coach_goal.c */
+
+/* The goal that the facts of the last step ask for. */
+session_goal vbss_session_find_goal(const session_object *s, const session_observation *observed);
+/* The goal that was derived last. */
+session_goal vbss_session_current_goal(const session_object *s);
+
+/* ---- coach_mistakes.c */
+
+/* Updates the mistakes from the facts of the last step and emits their events. */
+void vbss_session_update_mistakes(session_object *s, const session_observation *observed);
+/* The mistake to show, or VBSS_SESSION_MISTAKE_NONE; whether one can be mended. */
+vbss_session_mistake vbss_session_shown_mistake(const session_object *s);
+bool vbss_session_is_mendable(const session_object *s, vbss_session_mistake mistake);
+
+/* ---- coach_words.c */
+
+/* A constant string, never NULL. `is_over`: WIND goes over the top of the other tool first. */
+const char *vbss_session_goal_sentence(session_goal goal, uint32_t number, bool is_over);
+
+/* ---- coach.c */
+
+/* Updates goal and mistakes after a step, if the session coaches. */
+void vbss_session_update_coach(session_object *s, const session_observation *observed);
+/* Fills what hosts see of the coach, from the present state of the scene. */
+void vbss_session_fill_coaching(const session_object *s, vbss_session_coaching *coaching);
+/* Visits the state of the coach. */
+void vbss_session_visit_coach(vbss_stream *stream, session_object *s);
 
 /* ---- metrics_feed.c */
 

@@ -265,6 +265,11 @@ void vbss_session_serialise(vbss_stream *stream, void *object)
     visit_task(stream, s);
     visit_events(stream, s);
     visit_components(stream, s);
+    if (s->config.coaching != 0) {
+        vbss_section outer = vbss_stream_open(stream, VBSS_CODE('C', 'O', 'A', 'C'), 1);
+        vbss_session_visit_coach(stream, s);
+        vbss_stream_close(stream, outer);
+    }
     if (stream->mode == VBSS_STREAM_READ) {
         clear_knot_events(s);
         s->takes_over = true;

@@ -22,6 +22,7 @@ static vbss_result observe_and_update(session_object *s)
     vbss_session_observe(s, &s->observation);
     vbss_result result = vbss_session_observe_knot(s, &s->observation);
     vbss_session_update_progress(s, &s->observation);
+    vbss_session_update_coach(s, &s->observation);
     return result;
 }
 

@@ -29,4 +29,80 @@
  * Unit: 1, relative to config.lost_share. Origin: chosen. Test: none known. */
 #define SESSION_LOST_SHARE_HYSTERESIS VBSS_TUNE(SESSION_LOST_SHARE_HYSTERESIS, 0.5)
 
+/* ---- Coach (coach_geometry.c, coach_goal.c, coach_mistakes.c) */
+
+/* Where a needle is taken, from its tip; FLS courses ask for half to two thirds.
+ * Unit: 1, relative to its length. Origin: chosen, of the scripted surgeon. Test: session.coach_goals. */
+#define SESSION_HOLD_RATIO VBSS_TUNE(SESSION_HOLD_RATIO, 0.64)
+/* Where the other hand takes a needle that is held: nearer to the tip than the first, or still nearer if
+ * the first holds it there. Unit: 1, relative to its length. Origin: chosen, of the scripted surgeon. Test: none known. */
+#define SESSION_HAND_OVER_RATIO VBSS_TUNE(SESSION_HAND_OVER_RATIO, 0.4)
+#define SESSION_HAND_OVER_TIP_RATIO VBSS_TUNE(SESSION_HAND_OVER_TIP_RATIO, 0.18)
+/* A needle held nearer to its tip than this is taken still nearer to it.
+ * Unit: 1, relative to its length. Origin: chosen, between the two above. Test: none known. */
+#define SESSION_HAND_OVER_LIMIT VBSS_TUNE(SESSION_HAND_OVER_LIMIT, 0.5)
+/* Where a needle that is out of the second wall is taken, from its tip.
+ * Unit: m. Origin: chosen, of the scripted surgeon. Test: none known. */
+#define SESSION_TIP_HOLD VBSS_TUNE(SESSION_TIP_HOLD, 4.5e-3)
+/* Length of needle beyond the second wall that can be taken; hysteresis below it.
+ * Unit: m. Origin: chosen, of the scripted surgeon (8.5 mm). Test: session.coach_goals. */
+#define SESSION_TIP_OUT VBSS_TUNE(SESSION_TIP_OUT, 8e-3)
+#define SESSION_TIP_OUT_MARGIN VBSS_TUNE(SESSION_TIP_OUT_MARGIN, 2e-3)
+/* Distance of the needle's tip from its mark within which it is to be pushed in, and beyond which it is
+ * to come nearer. Unit: m. Origin: chosen: wall and tremor. Test: session.coach_goals. */
+#define SESSION_AT_MARK VBSS_TUNE(SESSION_AT_MARK, 1.5e-3)
+#define SESSION_OFF_MARK VBSS_TUNE(SESSION_OFF_MARK, 3e-3)
+/* Length of the jaws from the tip that can grasp.
+ * Unit: m. Origin: chosen: half of a driver's jaws. Test: session.coach_goals. */
+#define SESSION_JAW_REACH VBSS_TUNE(SESSION_JAW_REACH, 6e-3)
+/* Distance from the tail's end at which it is taken.
+ * Unit: m. Origin: chosen, of the scripted surgeon. Test: none known. */
+#define SESSION_TAIL_HOLD VBSS_TUNE(SESSION_TAIL_HOLD, 3.5e-3)
+/* Where the tip of the tool is while thread is wound about it: beyond the slit, and above it; where the
+ * turns lie behind its tip. Unit: m. Origin: chosen, of the scripted surgeon. Test: none known. */
+#define SESSION_WIND_BEYOND VBSS_TUNE(SESSION_WIND_BEYOND, 14e-3)
+#define SESSION_WIND_ABOVE VBSS_TUNE(SESSION_WIND_ABOVE, 70e-3)
+#define SESSION_WIND_BEHIND VBSS_TUNE(SESSION_WIND_BEHIND, 10e-3)
+/* Radius of the circle to wind, at least and at most: clear of the jaws, and on a thread's free length.
+ * Unit: m. Origin: fitted, in the feasibility study of scripted throws. Test: none known. */
+#define SESSION_WIND_RADIUS VBSS_TUNE(SESSION_WIND_RADIUS, 8e-3)
+#define SESSION_WIND_MAX_RADIUS VBSS_TUNE(SESSION_WIND_MAX_RADIUS, 45e-3)
+/* Turns beyond the number of wraps at which winding is complete; k < turns <= k + 1 ties k wraps.
+ * Unit: turns. Origin: derived: a quarter from either limit. Test: session.coach_goals. */
+#define SESSION_TURNS_BEYOND VBSS_TUNE(SESSION_TURNS_BEYOND, 0.25)
+/* Turns from which the thread is wound about a tool; those of the detector's wrap_turns.
+ * Unit: turns. Origin: chosen. Test: session.coach_mistakes. */
+#define SESSION_WOUND_TURNS VBSS_TUNE(SESSION_WOUND_TURNS, 0.75)
+/* Turns that must come off before they count as lost.
+ * Unit: turns. Origin: chosen: above the swing of a hand. Test: session.coach_mistakes. */
+#define SESSION_LOST_TURNS VBSS_TUNE(SESSION_LOST_TURNS, 0.6)
+/* Both ends are pulled with this many times seat_force, or 1 N by default.
+ * Unit: 1, relative to seat_force. Origin: chosen, of the scripted surgeon. Test: none known. */
+#define SESSION_PULL_RATIO VBSS_TUNE(SESSION_PULL_RATIO, 2.0)
+/* Length of a tail that is cut. Unit: m. Origin: published range 3 to 5 mm, not verified. Test: none known. */
+#define SESSION_CUT_LENGTH VBSS_TUNE(SESSION_CUT_LENGTH, 4e-3)
+/* Deviation from a mark that is a mistake.
+ * Unit: mm. Origin: published: accuracy of proficient trainees. Test: session.coach_mistakes. */
+#define SESSION_MISSED_MM VBSS_TUNE(SESSION_MISSED_MM, 1.0)
+/* An end bears less than this share of the other one: the pull is one-sided.
+ * Unit: 1, relative to the tension of the other end. Origin: chosen. Test: session.coach_mistakes. */
+#define SESSION_ONE_SIDED_RATIO VBSS_TUNE(SESSION_ONE_SIDED_RATIO, 0.3)
+/* Tension below which an end is slack. Unit: N. Origin: chosen. Test: session.coach_mistakes. */
+#define SESSION_SLACK_TENSION VBSS_TUNE(SESSION_SLACK_TENSION, 0.1)
+/* Overlap of the slit's edges beyond which the walls have slipped past each other.
+ * Unit: m. Origin: chosen: above the overlap in good performances. Test: session.coach_mistakes. */
+#define SESSION_CROSSED_EDGES VBSS_TUNE(SESSION_CROSSED_EDGES, 1.5e-3)
+/* Tension that is too much.
+ * Unit: N. Origin: published: the largest while experts tie on a drain. Test: session.coach_mistakes. */
+#define SESSION_HARD_PULL VBSS_TUNE(SESSION_HARD_PULL, 6.1)
+/* Dwell times of mistakes: of most; while winding; of tensions; of a slack throw.
+ * Unit: s. Origin: chosen. Test: session.coach_mistakes. */
+#define SESSION_MISTAKE_DWELL VBSS_TUNE(SESSION_MISTAKE_DWELL, 0.1)
+#define SESSION_WINDING_DWELL VBSS_TUNE(SESSION_WINDING_DWELL, 0.3)
+#define SESSION_TENSION_DWELL VBSS_TUNE(SESSION_TENSION_DWELL, 0.5)
+#define SESSION_SLACK_DWELL VBSS_TUNE(SESSION_SLACK_DWELL, 5.0)
+/* Time for which a mistake that cannot be mended is shown.
+ * Unit: s. Origin: chosen: time to read it. Test: session.coach_mistakes. */
+#define SESSION_SHOWN_TIME VBSS_TUNE(SESSION_SHOWN_TIME, 5.0)
+
 #endif

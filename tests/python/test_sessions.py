@@ -124,3 +124,26 @@ def test_what_does_not_fit_is_refused(context):
     with pytest.raises(ZeroDivisionError):
         session.step()
     assert session.status.event_count == 2  # of the task all the same
+
+
+def test_a_coach_gives_goals_and_names_mistakes(context):
+    session = Rig(context).session(coaching=1, time_limit=0.2, dwell=0.0)
+    assert session.coaching.goal is vb.SessionGoal.NONE
+    session.step()
+    session.step()
+    coaching = session.coaching
+    assert coaching.goal is vb.SessionGoal.TAKE_NEEDLE and coaching.tool is vb.MetricsTool.RIGHT
+    assert "right tool" in coaching.sentence and coaching.mistake is vb.SessionMistake.NONE
+    assert coaching.geometry == vb.SessionGeometryBits.POINT | vb.SessionGeometryBits.DIRECTION
+    assert len(coaching.point) == 3 and coaching.distance > 0.0 and coaching.mistake_sentence == ""
+    while session.status.failure is vb.SessionFailure.NONE:
+        session.step()
+    coaching = session.coaching
+    assert coaching.goal is vb.SessionGoal.NONE and coaching.mistake is vb.SessionMistake.TIME_UP
+    assert (coaching.mistake_sentence, coaching.remedy) == vb.Session.mistake_text(coaching.mistake)
+    assert coaching.mistakes == 1 << vb.SessionMistake.TIME_UP
+    kinds = [(event.kind, event.number) for event in session.events]
+    assert (vb.SessionEventKind.GOAL, vb.SessionGoal.TAKE_NEEDLE) in kinds
+    assert (vb.SessionEventKind.MISTAKE, vb.SessionMistake.TIME_UP) in kinds
+    with pytest.raises(vb.errors.WrongStateError):
+        Rig(context).session().coaching

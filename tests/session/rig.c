@@ -1,5 +1,6 @@
 #include "rig.h"
 
+#include <math.h>
 #include <string.h>
 
 #define LENGTH 0.15
@@ -21,6 +22,9 @@ void rig_make(rig *r)
     r->observation.thread_length = LENGTH;
     r->observation.gap = r->observation.max_gap = r->observation.signed_gap = 3e-3;
     r->observation.drain_radius = 6.5e-3;
+    for (int i = 0; i < SESSION_TOOLS; i++) {
+        r->observation.tools[i].held_arc = -1.0;
+    }
 }
 
 void rig_start(rig *r)
@@ -35,6 +39,13 @@ void rig_start(rig *r)
 void rig_begin(rig *r)
 {
     rig_make(r);
+    rig_start(r);
+}
+
+void rig_begin_coached(rig *r)
+{
+    rig_make(r);
+    r->scene.config.coaching = 1;
     rig_start(r);
 }
 
@@ -54,8 +65,21 @@ void rig_run(rig *r, double seconds)
         s->events_before_step = s->event_count;
         s->observation = r->observation;
         vbss_session_update_progress(s, &s->observation);
+        vbss_session_update_coach(s, &s->observation);
         expect_ok(vbss_session_feed_metrics(s, &s->observation));
     }
+}
+
+/* The coach's are expected by their own tests. */
+static bool read_event(rig *r, vbss_session_event *e)
+{
+    while (vbss_session_get_event(r->session, r->read, e, sizeof *e) == VBSS_OK) {
+        if (e->kind != VBSS_SESSION_EVENT_GOAL && e->kind != VBSS_SESSION_EVENT_MISTAKE) {
+            return true;
+        }
+        r->read++;
+    }
+    return false;
 }
 
 const vbss_session_event *rig_expect_at(rig *r, vbss_session_event_kind kind, uint32_t number,
@@ -63,7 +87,7 @@ const vbss_session_event *rig_expect_at(rig *r, vbss_session_event_kind kind, ui
                                         int line)
 {
     static vbss_session_event e;
-    if (vbss_session_get_event(r->session, r->read, &e, sizeof e) != VBSS_OK) {
+    if (!read_event(r, &e)) {
         print_error("event %s %u is missing\n", name, number);
         _fail(file, line);
     }
@@ -79,7 +103,7 @@ const vbss_session_event *rig_expect_at(rig *r, vbss_session_event_kind kind, ui
 void rig_expect_quiet_at(rig *r, const char *file, int line)
 {
     vbss_session_event e;
-    if (vbss_session_get_event(r->session, r->read, &e, sizeof e) == VBSS_OK) {
+    if (read_event(r, &e)) {
         print_error("event %d %u (undone %u) at %g s was not expected\n", e.kind, e.number,
                     e.undone, e.time);
         _fail(file, line);
@@ -91,6 +115,24 @@ vbss_session_status rig_status(const rig *r)
     vbss_session_status status;
     expect_ok(vbss_session_get_status(r->session, &status, sizeof status));
     return status;
+}
+
+vbss_session_coaching rig_coaching(const rig *r)
+{
+    vbss_session_coaching coaching;
+    expect_ok(vbss_session_get_coaching(r->session, &coaching, sizeof coaching));
+    return coaching;
+}
+
+void rig_expect_goal_at(const rig *r, vbss_session_goal goal, vbss_metrics_tool tool,
+                        const char *file, int line)
+{
+    const vbss_session_coaching c = rig_coaching(r);
+    if (c.goal != goal || c.tool != tool || c.sentence == NULL || c.sentence[0] == '\0') {
+        print_error("goal %d of tool %d was expected, not %d of %d: %s\n", goal, tool, c.goal,
+                    c.tool, c.sentence);
+        _fail(file, line);
+    }
 }
 
 /* ---- what is seen */
@@ -142,6 +184,26 @@ void rig_set_throw(rig *r, uint32_t number, int32_t wraps, int32_t handedness,
     session_knot_observation *knot = &r->observation.knot;
     knot->throws[number] = (session_throw_observation){wraps, handedness, relation};
     knot->throw_count = wraps > 0 ? number + 1 : number;
+}
+
+void rig_hold_thread(rig *r, uint32_t tool, double from_end)
+{
+    session_tool_observation *seen = &r->observation.tools[tool];
+    seen->held_arc = r->observation.thread_length - from_end;
+    seen->has_tail = from_end <= r->scene.config.tail_reach;
+}
+
+void rig_let_go(rig *r, uint32_t tool)
+{
+    r->observation.tools[tool].held_arc = -1.0;
+    r->observation.tools[tool].has_tail = false;
+}
+
+void rig_wind(rig *r, uint32_t tool, double turns, int32_t direction)
+{
+    r->s->coach.turns[tool] = turns;
+    r->s->coach.direction[tool] = direction;
+    r->observation.knot.next_throw = fabs(turns) >= 0.75 ? VBSS_KNOT_VERDICT_WRAPPING : 0;
 }
 
 void rig_pull(rig *r, double force, double gap)

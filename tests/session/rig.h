@@ -24,7 +24,8 @@ enum { RIG_LEFT = 0, RIG_RIGHT = 1, RIG_ENTRY = 7, RIG_EXIT = 8 };
 /* Limits a script has changed after rig_make, before rig_start. */
 void rig_make(rig *r);
 void rig_start(rig *r);
-void rig_begin(rig *r); /* both */
+void rig_begin(rig *r);         /* both */
+void rig_begin_coached(rig *r); /* both, with a coach */
 void rig_end(rig *r);
 
 /* Steps of so many seconds in which the task sees the same. */
@@ -37,6 +38,12 @@ const vbss_session_event *rig_expect_at(rig *r, vbss_session_event_kind kind, ui
                                         int line);
 #define rig_expect_phase(r, phase, undone) \
     rig_expect((r), VBSS_SESSION_EVENT_PHASE, (phase), (undone))
+/* What the coach says now. */
+vbss_session_coaching rig_coaching(const rig *r);
+/* Its goal is that, of that hand, with a sentence. */
+#define rig_expect_goal(r, goal, tool) rig_expect_goal_at((r), (goal), (tool), __FILE__, __LINE__)
+void rig_expect_goal_at(const rig *r, vbss_session_goal goal, vbss_metrics_tool tool,
+                        const char *file, int line);
 /* There are no more. */
 #define rig_expect_quiet(r) rig_expect_quiet_at((r), __FILE__, __LINE__)
 void rig_expect_quiet_at(rig *r, const char *file, int line);
@@ -55,6 +62,11 @@ void rig_set_throw(rig *r, uint32_t number, int32_t wraps, int32_t handedness,
 /* From nothing to tied, with its events; not seated. */
 void rig_tie(rig *r, uint32_t number);
 void rig_expect_stage(rig *r, uint32_t number, vbss_session_stage stage);
+/* A hand holds the thread so far from the tail's end; it lets go of it; turns about its tool, toward its tip (1) or
+ * its handle (-1). */
+void rig_hold_thread(rig *r, uint32_t tool, double from_end);
+void rig_let_go(rig *r, uint32_t tool);
+void rig_wind(rig *r, uint32_t tool, double turns, int32_t direction);
 /* Both hands pull, and the slit gapes so much. */
 void rig_pull(rig *r, double force, double gap);
 

@@ -7,6 +7,8 @@ from typing import Any, Callable, Optional, Sequence
 from ._api.session import (SessionEvent, SessionEventKind, SessionFailure, SessionPhase, SessionStage, SessionStatus,
                            vbss_session, vbss_session_config, vbss_session_event, vbss_session_event_fn,
                            vbss_session_status)
+from ._api.session_coaching import (SessionCoaching, SessionGeometryBits, SessionGoal, SessionMistake,
+                                    vbss_session_coaching)
 from ._library import lib
 from ._objects import Configured, Object, Saved, created
 from ._values import initialised, integer, value_of
@@ -16,8 +18,8 @@ from .metrics import Metrics
 from .records import Record, Replay
 from .scene import Scene
 
-__all__ = ["Session", "SessionEvent", "SessionEventKind", "SessionFailure", "SessionPhase", "SessionStage",
-           "SessionStatus"]
+__all__ = ["Session", "SessionCoaching", "SessionEvent", "SessionEventKind", "SessionFailure", "SessionGeometryBits",
+           "SessionGoal", "SessionMistake", "SessionPhase", "SessionStage", "SessionStatus"]
 
 
 def _handle_of(part: Any, kind: type[Object], name: str) -> Any:
@@ -88,6 +90,16 @@ class Session(Configured, Saved):
         """How far the task is. time is on the session clock, which runs with the hands: time_lost of it was left out,
         time_simulated was simulated; is_lossy: more than lost_share of it is lost."""
         return self._read("get_status", SessionStatus, vbss_session_status)
+
+    @property
+    def coaching(self) -> SessionCoaching:
+        """The coach's goal with its geometry and distances, and the newest mistake; the session was made with coaching=1."""
+        return self._read("get_coaching", SessionCoaching, vbss_session_coaching)
+
+    @staticmethod
+    def mistake_text(mistake: int) -> tuple[str, str]:
+        """A mistake of the coach as a sentence, and how to mend it."""
+        return (lib.vbss_session_mistake_string(mistake).decode(), lib.vbss_session_remedy_string(mistake).decode())
 
     def event(self, number: int) -> SessionEvent:
         """The event of that index; NotFoundError when it is lost."""

@@ -136,6 +136,16 @@ namespace VblastSs
         /// below half of `lost_share`.
         /// </summary>
         TimeLost = 18,
+        /// <summary>
+        /// Only with `coaching`: the goal of the hand `tool` is now `number`, a VBSS_SESSION_GOAL_
+        /// constant (session_coaching.h).
+        /// </summary>
+        Goal = 19,
+        /// <summary>
+        /// Only with `coaching`: the mistake `number`, a VBSS_SESSION_MISTAKE_ constant, is made.
+        /// Undone: it is mended or past.
+        /// </summary>
+        Mistake = 20,
     }
 
     /// <summary>The constants of vbss_session_gap.</summary>
@@ -223,7 +233,7 @@ namespace VblastSs
         internal double AvulsedShare;
         internal double BreakForce;
         internal SessionGap GapMeasure;
-        internal uint Reserved;
+        internal uint Coaching;
         internal double LostShare;
     }
 
@@ -438,6 +448,17 @@ namespace VblastSs
         {
             get { return box[0].GapMeasure; }
             set { box[0].GapMeasure = value; }
+        }
+
+        /// <summary>
+        /// 1: the session coaches (session_coaching.h); default 0. The hashes in logs do not depend
+        /// on it, but the state of a session that coaches can be restored only to one that coaches,
+        /// too.
+        /// </summary>
+        public uint Coaching
+        {
+            get { return box[0].Coaching; }
+            set { box[0].Coaching = value; }
         }
 
         /// <summary>

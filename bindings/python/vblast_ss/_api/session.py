@@ -125,6 +125,12 @@ class SessionEventKind(IntEnum):
     """More than `lost_share` of the time since the needle's appearance is lost: `amount` s. Times
     and score do not compare with those of other trials. Undone: the share has fallen below half
     of `lost_share`."""
+    GOAL = 19
+    """Only with `coaching`: the goal of the hand `tool` is now `number`, a VBSS_SESSION_GOAL_
+    constant (session_coaching.h)."""
+    MISTAKE = 20
+    """Only with `coaching`: the mistake `number`, a VBSS_SESSION_MISTAKE_ constant, is made.
+    Undone: it is mended or past."""
 
 
 class SessionGap(IntEnum):
@@ -308,6 +314,10 @@ class vbss_session_config(ctypes.Structure):
     gap_measure: Measure of the gap that seats throws and that status, events and metrics
     report; default LIPS.
 
+    coaching: 1: the session coaches (session_coaching.h); default 0. The hashes in logs do not
+    depend on it, but the state of a session that coaches can be restored only to one that
+    coaches, too.
+
     lost_share: Share of lost time above which TIME_LOST is an event and `is_lossy` is set, 0 to
     1; default 0.02. A trial shorter than 1 s counts as 1 s."""
     struct_size: int
@@ -339,7 +349,7 @@ class vbss_session_config(ctypes.Structure):
     avulsed_share: float
     break_force: float
     gap_measure: int
-    reserved: int
+    coaching: int
     lost_share: float
     _kinds_: ClassVar[dict[str, Any]] = {"gap_measure": SessionGap}
     _fields_ = [
@@ -372,7 +382,7 @@ class vbss_session_config(ctypes.Structure):
         ("avulsed_share", c_double),
         ("break_force", c_double),
         ("gap_measure", c_int32),
-        ("reserved", c_uint32),
+        ("coaching", c_uint32),
         ("lost_share", c_double),
     ]
 

@@ -28,6 +28,7 @@ mod record;
 mod scene_query;
 mod scene_settings;
 mod session;
+mod session_coaching;
 mod visual;
 
 pub use base::*;
@@ -55,4 +56,5 @@ pub use record::*;
 pub use scene_query::*;
 pub use scene_settings::*;
 pub use session::*;
+pub use session_coaching::*;
 pub use visual::*;

@@ -124,6 +124,12 @@ pub const VBSS_SESSION_EVENT_FAILED: vbss_session_event_kind = 17;
 /// and score do not compare with those of other trials. Undone: the share has fallen below half
 /// of `lost_share`.
 pub const VBSS_SESSION_EVENT_TIME_LOST: vbss_session_event_kind = 18;
+/// Only with `coaching`: the goal of the hand `tool` is now `number`, a VBSS_SESSION_GOAL_
+/// constant (session_coaching.h).
+pub const VBSS_SESSION_EVENT_GOAL: vbss_session_event_kind = 19;
+/// Only with `coaching`: the mistake `number`, a VBSS_SESSION_MISTAKE_ constant, is made. Undone:
+/// it is mended or past.
+pub const VBSS_SESSION_EVENT_MISTAKE: vbss_session_event_kind = 20;
 
 // The constants of vbss_session_gap.
 /// Gap between the lips, which are as high as the wall: vbss_drain_gap.opening. A wall that
@@ -258,8 +264,9 @@ pub struct vbss_session_config {
     /// Measure of the gap that seats throws and that status, events and metrics report; default
     /// LIPS.
     pub gap_measure: vbss_session_gap,
-    /// Zero.
-    pub reserved: u32,
+    /// 1: the session coaches (session_coaching.h); default 0. The hashes in logs do not depend on it, but
+    /// the state of a session that coaches can be restored only to one that coaches, too.
+    pub coaching: u32,
     /// Share of lost time above which TIME_LOST is an event and `is_lossy` is set, 0 to 1; default
     /// 0.02. A trial shorter than 1 s counts as 1 s.
     pub lost_share: f64,

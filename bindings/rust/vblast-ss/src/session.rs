@@ -46,6 +46,11 @@ impl<'s, 'c> Session<'s, 'c> {
         self.context().fill(|out, size| unsafe { sys::vbss_session_get_status(self.raw, out, size) })
     }
 
+    /// The coach's goal and the newest mistake; `coaching` of the configuration is 1.
+    pub fn coaching(&self) -> Result<sys::vbss_session_coaching> {
+        self.context().fill(|out, size| unsafe { sys::vbss_session_get_coaching(self.raw, out, size) })
+    }
+
     /// An event by its ordinal: those from `first_event` to `event_count - 1` of the status are kept.
     pub fn event(&self, index: u64) -> Result<sys::vbss_session_event> {
         self.context().fill(|out, size| unsafe { sys::vbss_session_get_event(self.raw, index, out, size) })

@@ -154,6 +154,13 @@ impl SessionConfig {
         self
     }
 
+    /// 1: the session coaches (session_coaching.h); default 0. The hashes in logs do not depend on it, but
+    /// the state of a session that coaches can be restored only to one that coaches, too.
+    pub fn coaching(mut self, value: u32) -> Self {
+        self.raw.coaching = value;
+        self
+    }
+
     /// Share of lost time above which TIME_LOST is an event and `is_lossy` is set, 0 to 1; default
     /// 0.02. A trial shorter than 1 s counts as 1 s.
     pub fn lost_share(mut self, value: f64) -> Self {

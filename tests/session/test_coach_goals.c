@@ -1,0 +1,233 @@
+/* The coach's goals come in the order of the task, go back with it, and say how far they are. */
+#include <math.h>
+#include <string.h>
+
+#include "rig.h"
+
+#define LENGTH 0.15
+
+/* Until facts and goals have dwelt. */
+static void run(rig *r)
+{
+    rig_run(r, 0.2);
+}
+
+/* The hand's tool is at the needle, so far from its tip. */
+static void put_on_needle(rig *r, uint32_t tool, double arc)
+{
+    vbss_needle *needle = r->scene.needle;
+    double point[3];
+    expect_ok(vbss_needle_get_place(needle, arc, point, NULL));
+    r->observation.tools[tool].tip = vec3_load(point);
+}
+
+static void stitch_goals_follow_the_needle(void **state)
+{
+    (void)state;
+    rig r;
+    rig_begin_coached(&r);
+    run(&r);
+    rig_expect_goal(&r, VBSS_SESSION_GOAL_TAKE_NEEDLE, VBSS_METRICS_TOOL_RIGHT);
+    rig_take(&r, RIG_RIGHT);
+    put_on_needle(&r, RIG_RIGHT, 0.02);
+    run(&r);
+    rig_expect_goal(&r, VBSS_SESSION_GOAL_REACH_MARK, VBSS_METRICS_TOOL_RIGHT);
+    assert_int_equal(rig_coaching(&r).number, 1);
+    rig_pierce(&r, RIG_ENTRY, 1, 0.0);
+    run(&r);
+    rig_expect_goal(&r, VBSS_SESSION_GOAL_DRIVE, VBSS_METRICS_TOOL_RIGHT);
+    assert_int_equal(rig_coaching(&r).number, 0);
+    rig_pierce(&r, RIG_EXIT, 0, 0.0);
+    run(&r);
+    rig_expect_goal(&r, VBSS_SESSION_GOAL_EXPOSE_TIP, VBSS_METRICS_TOOL_RIGHT);
+    r.observation.holes[1].distance_from_tip = 9e-3;
+    run(&r);
+    rig_expect_goal(&r, VBSS_SESSION_GOAL_TAKE_TIP, VBSS_METRICS_TOOL_LEFT);
+    rig_take(&r, RIG_LEFT);
+    put_on_needle(&r, RIG_LEFT, 4e-3);
+    run(&r);
+    rig_expect_goal(&r, VBSS_SESSION_GOAL_RELEASE_NEEDLE, VBSS_METRICS_TOOL_RIGHT);
+    rig_drop(&r, RIG_RIGHT);
+    run(&r);
+    rig_expect_goal(&r, VBSS_SESSION_GOAL_DRAW_NEEDLE, VBSS_METRICS_TOOL_LEFT);
+    rig_thread_through(&r, RIG_ENTRY, 0.02);
+    rig_thread_through(&r, RIG_EXIT, 0.01);
+    run(&r);
+    rig_expect_goal(&r, VBSS_SESSION_GOAL_DRAW_THREAD, VBSS_METRICS_TOOL_LEFT);
+    expect_near(LENGTH - 0.02 - r.scene.config.tail_high, rig_coaching(&r).length, 1e-12);
+    rig_thread_through(&r, RIG_ENTRY, LENGTH - 0.01);
+    run(&r);
+    rig_expect_goal(&r, VBSS_SESSION_GOAL_LENGTHEN_TAIL, VBSS_METRICS_TOOL_RIGHT);
+    expect_near(5e-3, rig_coaching(&r).length, 1e-12);
+    rig_thread_through(&r, RIG_ENTRY, LENGTH - 0.017);
+    run(&r);
+    rig_expect_goal(&r, VBSS_SESSION_GOAL_WIND, VBSS_METRICS_TOOL_LEFT);
+    rig_end(&r);
+}
+
+static void throw_goals_follow_the_thread(void **state)
+{
+    (void)state;
+    rig r;
+    rig_begin_coached(&r);
+    rig_to_tail(&r);
+    run(&r);
+    rig_expect_goal(&r, VBSS_SESSION_GOAL_WIND, VBSS_METRICS_TOOL_RIGHT);
+    expect_near(2.25, rig_coaching(&r).turns, 1e-12);
+    rig_wind(&r, RIG_LEFT, 1.5, 1);
+    run(&r);
+    rig_expect_goal(&r, VBSS_SESSION_GOAL_WIND, VBSS_METRICS_TOOL_RIGHT);
+    expect_near(0.75, rig_coaching(&r).turns, 1e-12);
+    rig_wind(&r, RIG_LEFT, 2.3, 1);
+    run(&r);
+    rig_expect_goal(&r, VBSS_SESSION_GOAL_TAKE_TAIL, VBSS_METRICS_TOOL_LEFT);
+    rig_wind(&r, RIG_LEFT, 2.1, 1); /* less than it had to be, but enough */
+    run(&r);
+    rig_expect_goal(&r, VBSS_SESSION_GOAL_TAKE_TAIL, VBSS_METRICS_TOOL_LEFT);
+    rig_hold_thread(&r, RIG_LEFT, 4e-3);
+    run(&r);
+    rig_expect_goal(&r, VBSS_SESSION_GOAL_DRAW_TAIL, VBSS_METRICS_TOOL_LEFT);
+    rig_wind(&r, RIG_LEFT, 0.1, 0);
+    rig_set_throw(&r, 0, 2, -1, VBSS_METRICS_RELATION_FIRST);
+    rig_pull(&r, 0.3, 2e-3);
+    run(&r);
+    rig_expect_goal(&r, VBSS_SESSION_GOAL_SEAT, VBSS_METRICS_TOOL_LEFT);
+    assert_int_equal(rig_coaching(&r).mistake, VBSS_SESSION_MISTAKE_NONE);
+    rig_pull(&r, 1.0, 3e-4);
+    run(&r);
+    rig_expect_goal(&r, VBSS_SESSION_GOAL_RELEASE_TAIL, VBSS_METRICS_TOOL_LEFT);
+    rig_let_go(&r, RIG_LEFT);
+    run(&r);
+    rig_expect_goal(&r, VBSS_SESSION_GOAL_HAND_OVER, VBSS_METRICS_TOOL_LEFT);
+    rig_take(&r, RIG_LEFT);
+    run(&r);
+    rig_expect_goal(&r, VBSS_SESSION_GOAL_RELEASE_NEEDLE, VBSS_METRICS_TOOL_RIGHT);
+    rig_drop(&r, RIG_RIGHT);
+    run(&r);
+    rig_expect_goal(&r, VBSS_SESSION_GOAL_WIND, VBSS_METRICS_TOOL_LEFT);
+    assert_int_equal(rig_coaching(&r).number, 1);
+    expect_near(1.25, rig_coaching(&r).turns, 1e-12);
+    rig_end(&r);
+}
+
+/* Handedness alternates, so the turns about the other hand's tool do; both are over the top. */
+static void later_throw_is_wound_for_a_square(void **state)
+{
+    (void)state;
+    rig r;
+    rig_begin_coached(&r);
+    rig_to_tail(&r);
+    rig_to_throw(&r, 0, RIG_RIGHT); /* right-handed: turns < 0, from below */
+    assert_true(vbss_session_wanted_sign(r.s) > 0.0);
+    const vbss_session_coaching next = rig_coaching(&r);
+    assert_true(next.goal == VBSS_SESSION_GOAL_HAND_OVER);
+    rig_take(&r, RIG_LEFT);
+    rig_drop(&r, RIG_RIGHT);
+    run(&r);
+    rig_expect_goal(&r, VBSS_SESSION_GOAL_WIND, VBSS_METRICS_TOOL_LEFT);
+    assert_non_null(strstr(rig_coaching(&r).sentence, "underneath, away"));
+    rig_end(&r);
+}
+
+static void cut_goals_follow_the_tails(void **state)
+{
+    (void)state;
+    rig r;
+    rig_begin_coached(&r);
+    rig_to_cut(&r);
+    run(&r);
+    rig_expect_goal(&r, VBSS_SESSION_GOAL_TAKE_SHEARS, VBSS_METRICS_TOOL_LEFT);
+    r.observation.tools[RIG_LEFT].is_shears = true;
+    run(&r);
+    rig_expect_goal(&r, VBSS_SESSION_GOAL_CUT, VBSS_METRICS_TOOL_LEFT);
+    assert_int_equal(rig_coaching(&r).number, SESSION_ENTRY);
+    r.observation.thread_length = r.observation.holes[0].arc + 5e-3;
+    run(&r);
+    assert_int_equal(rig_coaching(&r).number, SESSION_EXIT);
+    rig_end(&r);
+}
+
+/* Each change of the goal is an event, and nothing else is. */
+static void each_goal_is_one_event(void **state)
+{
+    (void)state;
+    rig r;
+    vbss_session_event e;
+    static const struct {
+        vbss_session_goal goal;
+        vbss_metrics_tool tool;
+    } wanted[] = {
+        {VBSS_SESSION_GOAL_TAKE_NEEDLE, VBSS_METRICS_TOOL_RIGHT},
+        {VBSS_SESSION_GOAL_REACH_MARK, VBSS_METRICS_TOOL_RIGHT},
+        {VBSS_SESSION_GOAL_TAKE_NEEDLE, VBSS_METRICS_TOOL_RIGHT},
+    };
+    uint32_t found = 0;
+    rig_begin_coached(&r);
+    run(&r);
+    rig_take(&r, RIG_RIGHT);
+    run(&r);
+    rig_drop(&r, RIG_RIGHT);
+    run(&r);
+    const vbss_session_status status = rig_status(&r);
+    for (uint64_t i = 0; i < status.event_count; i++) {
+        expect_ok(vbss_session_get_event(r.session, i, &e, sizeof e));
+        if (e.kind == VBSS_SESSION_EVENT_GOAL) {
+            assert_true(found < 3);
+            assert_int_equal(e.number, wanted[found].goal);
+            assert_int_equal(e.tool, wanted[found].tool);
+            found++;
+        }
+    }
+    assert_int_equal(found, 3);
+    assert_int_equal(r.s->coach_event_count, 3);
+    rig_end(&r);
+}
+
+/* The scene's own bodies, which rest: geometry and distances agree. */
+static void distances_are_those_of_the_geometry(void **state)
+{
+    (void)state;
+    rig r;
+    double mark[3];
+    rig_begin_coached(&r);
+    run(&r);
+    vbss_session_coaching c = rig_coaching(&r);
+    assert_int_equal(c.geometry, VBSS_SESSION_GEOMETRY_POINT | VBSS_SESSION_GEOMETRY_DIRECTION);
+    double point[3];
+    expect_ok(vbss_needle_get_place(r.scene.needle, 0.64 * 0.0105 * 3.14159265358979, point, NULL));
+    for (int k = 0; k < 3; k++) {
+        expect_near(point[k], c.point[k], 1e-6);
+    }
+    rig_take(&r, RIG_RIGHT);
+    run(&r);
+    c = rig_coaching(&r);
+    double tip[3];
+    expect_ok(vbss_needle_get_place(r.scene.needle, 0.0, tip, NULL));
+    memcpy(mark, c.point, sizeof mark);
+    expect_near(vec3_distance(vec3_load(tip), vec3_load(mark)), c.distance, 1e-12);
+    expect_near(1.0, vec3_norm(vec3_load(c.direction)), 1e-12);
+    rig_pierce(&r, RIG_ENTRY, 1, 0.0);
+    run(&r);
+    c = rig_coaching(&r);
+    assert_true((c.geometry & (uint32_t)VBSS_SESSION_GEOMETRY_ARC) != 0);
+    expect_near(0.0105, c.arc_radius, 1e-9);
+    expect_near(c.arc_radius, vec3_distance(vec3_load(c.arc_start), vec3_load(c.arc_centre)), 1e-9);
+    expect_near(
+        0.0,
+        vec3_dot(vec3_sub(vec3_load(c.arc_start), vec3_load(c.arc_centre)), vec3_load(c.arc_axis)),
+        1e-9);
+    rig_end(&r);
+}
+
+int test_coach_goals(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(stitch_goals_follow_the_needle),
+        cmocka_unit_test(throw_goals_follow_the_thread),
+        cmocka_unit_test(later_throw_is_wound_for_a_square),
+        cmocka_unit_test(cut_goals_follow_the_tails),
+        cmocka_unit_test(each_goal_is_one_event),
+        cmocka_unit_test(distances_are_those_of_the_geometry),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
