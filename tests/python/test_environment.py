@@ -201,3 +201,23 @@ def test_a_picture_shows_the_nearer_of_two_triangles():
 def test_an_unknown_render_mode_is_refused():
     with pytest.raises(ValueError):
         ThrowEnvironment(render_mode="ansi")
+
+
+def test_the_tables_of_the_guide_have_the_indices_of_the_vectors():
+    import re
+    from conftest import ROOT
+    from vblast_ss import environment, suturing
+    text = (ROOT / "docs" / "guides" / "learning-environments.md").read_text()
+    parts = re.split(r"^### Vectors of ", text, flags=re.M)[1:]
+    for part, module, width in zip(parts, (environment, suturing), (113, 146)):
+        rows = re.findall(r"^\| (\d+)(?: to (\d+))? \| `([a-z_]+)` \|", part, re.M)
+        listed = {name: int(first) if last == "" else slice(int(first), int(last) + 1) for first, last, name in rows}
+        assert listed == module.FIELDS and list(listed.values())[-1].stop == width
+    assert len(parts) == 2
+    moves = re.findall(r"^\| (\d+)(?: to (\d+))? \| `([A-Z]+)` \|", parts[0], re.M)
+    assert {name: int(first) if last == "" else slice(int(first), int(last) + 1) for first, last, name in moves} == \
+        {name: getattr(environment, name) for name in ("W", "C", "TURNING", "GRIP")}
+    moves = re.findall(r"^\| (\d+)(?: to (\d+))? \| (\d+)(?: to \d+)? \| `([A-Z]+)` \|", parts[1], re.M)
+    assert {name: int(first) if last == "" else slice(int(first), int(last) + 1) for first, last, _, name in moves} == \
+        {name: getattr(suturing, name) for name in ("MOVE", "ROTATE", "JAWS", "SHEARS")}
+    assert all(int(right) - int(first) == suturing.ACTIONS // 2 for first, _, right, _ in moves)

@@ -229,5 +229,14 @@ class ThrowScene:
         return self.detector.judge(points, holes=(points[self.right_mark], points[self.left_mark]),
                                    hole_places=(self.right_mark, self.left_mark), away=(0.0, 0.0, -1.0))
 
+    # ---- copies
+
+    def __getstate__(self) -> dict[str, Any]:
+        return {name: value for name, value in vars(self).items() if name != "thread"}
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        vars(self).update(state)
+        self.thread = self.scene.thread(self.thread_body)
+
     def close(self) -> None:
         self.context.close()
