@@ -109,4 +109,4 @@ def test_a_session_is_scored_anew(session):
         assert metrics.report.throw_count == 1 and metrics.report.time == pytest.approx(0.6)
         assert metrics.report.samples == len(session.time)
         metrics.finish()
-        assert metrics.motion("left").path_length > 0.02 > metrics.motion("right").path_length
+        assert metrics.motion("left").path_length > metrics.motion("right").path_length > 0.02

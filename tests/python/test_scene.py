@@ -204,6 +204,7 @@ def test_a_scene_is_loaded_from_its_bytes_alone(lying):
         loaded.step()
         scene.step()
         assert loaded.state_hash == scene.state_hash
+        assert len(loaded.take_events()) >= 0 and loaded.lost_events == 0
         with pytest.raises(vb.TruncatedError):
             vb.Scene.load(b"not a state", other)
 

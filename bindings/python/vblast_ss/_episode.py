@@ -2,6 +2,7 @@
 begin and end of episodes."""
 from __future__ import annotations
 
+import copy
 import importlib
 from typing import Any, Mapping, Optional, TypeVar
 
@@ -125,6 +126,16 @@ class Episodes(Base):  # type: ignore[misc]
             self._scene.close()
         self._scene = None
         self._over = True
+
+    def __getstate__(self) -> dict[str, Any]:
+        """Of a copy, and in a pickle: everything, also an episode that has begun, except the window and the log."""
+        if self._scene is not None and self._scene.record is not None:
+            raise TypeError("an episode that is recorded cannot be copied or pickled: a log has one writer. Copy the environment "
+                            "before reset() or after close()")
+        return {**vars(self), "_picture": None}
+
+    def __copy__(self: E) -> E:
+        return copy.deepcopy(self)
 
     def __enter__(self: E) -> E:
         return self

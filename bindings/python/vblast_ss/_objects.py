@@ -1,6 +1,7 @@
 """What all objects of the library have in common."""
 from __future__ import annotations
 
+import copy
 import ctypes
 from typing import Any, ClassVar, Optional, TypeVar
 
@@ -50,6 +51,20 @@ class Object:
         struct = struct_type()
         self._call(self._function(name), *arguments, ctypes.byref(struct), ctypes.sizeof(struct))
         return value_of(value_type, struct)
+
+    @classmethod
+    def _of(cls: type[O], context: Context, handle: Any) -> O:
+        """The object of a handle that the library has made."""
+        made = cls.__new__(cls)
+        Object.__init__(made, context, handle)
+        return made
+
+    def __reduce__(self) -> Any:
+        raise TypeError(f"a {self._noun} cannot be copied or pickled; scenes, sessions, metrics and knot detectors can")
+
+    def __copy__(self: O) -> O:
+        """A copy in the same context; copy.deepcopy makes one in a context of its own."""
+        return copy.deepcopy(self, {id(self._context): self._context})
 
     @property
     def context(self) -> Context:
@@ -113,6 +128,11 @@ def context_or_new(context: Optional[Context]) -> Context:
     return context
 
 
+def again(kind: Any, arguments: Any, keywords: Any) -> Any:
+    """An object as it was made: how copies begin."""
+    return kind(*arguments, **keywords)
+
+
 class Configured:
     """Objects with settings."""
     _config: ClassVar[Any]
@@ -136,6 +156,10 @@ class Body(Object):
         """Closes the object; the library destroys it now, or when it leaves the scene that it belongs to."""
         self._call(self._function("discard"))
         self._handle = None
+
+    def __reduce__(self) -> Any:
+        raise TypeError(f"a {self._noun} cannot be copied or pickled alone; copy a scene that has it: body(number) of the "
+                        "copy is its copy")
 
 
 class Viewed(Object):
@@ -185,3 +209,14 @@ class Saved(Object):
         number = ctypes.c_uint64()
         self._call(self._function("get_hash"), ctypes.byref(number))
         return number.value
+
+
+class Remade(Configured, Saved):
+    """Objects that settings and a saved state describe completely."""
+    _settings: dict[str, Any]
+
+    def __reduce__(self) -> Any:
+        return again, (type(self), (self._context,), self._settings), self.save()
+
+    def __setstate__(self, state: bytes) -> None:
+        self.restore(state)

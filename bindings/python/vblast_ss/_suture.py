@@ -11,6 +11,7 @@ from typing import Any, NamedTuple, Optional
 import numpy as np
 
 from ._pose import Pose, Vector, dot, length, tremor, turn_by, turned, unit_rows
+from ._objects import again
 from .context import Context
 from .devices import Device, DeviceTool, Mock
 from .drain import Drain
@@ -81,6 +82,15 @@ class Tool:
         self.told, self.opening = Pose(to.at, near), opening
         return list(zip(places.tolist(), turns.tolist(), openings.tolist()))
 
+    def save(self) -> tuple[Any, ...]:
+        """What is no part of the scene: the hand, and the device."""
+        return self.told, self.opening, self.tool, self._shown, self.device.save()
+
+    def restore(self, state: tuple[Any, ...]) -> None:
+        self.told, self.opening, self.tool, shown, device = state
+        self._shown.update(shown)
+        self.device.restore(device)
+
     def show(self, row: tuple[Any, Any, float]) -> None:
         self._shown.update(position=row[0], orientation=row[1], jaw=row[2], tool=self.tool)
 
@@ -96,6 +106,7 @@ class SutureScene:
                  context: Optional[Context] = None, replay: Optional[Replay] = None) -> None:
         self.task = task
         self.steps = 0
+        self._duration = duration
         self.context = Context() if context is None else context
         random = np.random.Generator(np.random.PCG64(task.seed))
         phases = 2.0 * math.pi * random.random((2, 3))
@@ -153,6 +164,20 @@ class SutureScene:
             if self.record is not None:
                 log += self.record.take()
         return log
+
+    # ---- copies
+
+    def __reduce__(self) -> Any:
+        """Bodies, hands and session are made again, and then get their states."""
+        states = self.steps, self.scene.save(), self.session.save(), [tool.save() for tool in self.tools]
+        return again, (SutureScene, (self.task,), {"duration": self._duration}), states
+
+    def __setstate__(self, states: tuple[Any, ...]) -> None:
+        self.steps, scene, session, tools = states
+        self.scene.restore(scene)
+        self.session.restore(session)
+        for tool, state in zip(self.tools, tools):
+            tool.restore(state)
 
     # ---- what is seen
 

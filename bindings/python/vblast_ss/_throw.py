@@ -23,6 +23,7 @@ STEP = 1e-3  # s
 GRASP = 0.5e-3  # m: hands hold the grasp, so far behind the tip
 TROCAR = np.array((-0.110, -0.050, 0.080))  # W's axis goes through it
 DRAIN_RADIUS = 6.5e-3
+THREAD_RADIUS = 0.125e-3
 MARK_ANGLE = 4.5e-3 / DRAIN_RADIUS  # rad from the top: where the thread comes out, on either side
 MARK = DRAIN_RADIUS * np.array((sin(MARK_ANGLE), 0.0, cos(MARK_ANGLE))) - (0.0, 0.0, DRAIN_RADIUS)
 FLOOR = -13e-3
@@ -32,6 +33,7 @@ BEND = 15e-3  # of the limb, from where it comes out to the way to C
 TAIL_NODE = 1  # where W takes it: a longer end gets in the way of the loops
 JAW_LENGTH, JAW_RADIUS = 13e-3, 0.7e-3
 SHAFT_LENGTH, SHAFT_RADIUS = 0.12, 2.5e-3
+CLEAR = 2.0 * JAW_RADIUS + 0.2e-3  # of the tail from the middle of W's jaws in the beginning, m
 REACH = 1.2e-3  # of W's jaws for the tail, m: so near that no loop slips through between them
 
 
@@ -107,8 +109,8 @@ class ThrowScene:
         self.angle = -0.5 * math.pi  # of C about W
         self.steps = 0
         self.holds: list[int] = []  # pins of W on the tail
-        w = tip + GRASP * axis_of_w(tip)
         points, marks, self.held_node = self._lay(unit(np.array((-0.05, -0.6, 0.75))))
+        w = self._clear_of(points[:marks[0]], tip) + GRASP * axis_of_w(tip)
         self.right_mark, self.left_mark = marks
         self.w = Hand(w, turn_from_z(axis_of_w(w)))
         self.c = Hand(points[self.held_node], stand_of_c(w, self.angle))
@@ -123,7 +125,7 @@ class ThrowScene:
     def _lay(self, limb_way: Vector) -> tuple[Vector, tuple[int, int], int]:
         """Tail, through the drain, and the limb, which bends to its way."""
         task = self.task
-        surface = DRAIN_RADIUS + 0.125e-3 + 0.03e-3
+        surface = DRAIN_RADIUS + THREAD_RADIUS + 0.03e-3
         centre = np.array((0.0, 0.0, -DRAIN_RADIUS))
         out = {side: np.array((sin(side * MARK_ANGLE), 0.0, cos(side * MARK_ANGLE))) for side in (1, -1)}
         tail, limb = (round(length / task.segment) for length in (TAIL, LIMB))
@@ -135,13 +137,25 @@ class ThrowScene:
             points.append(points[-1] + task.segment * unit((1.0 - share) * out[-1] + share * limb_way))
         return np.array(points), (tail, left), left + round(task.held_at / task.segment)
 
+    @staticmethod
+    def _clear_of(tail: Vector, tip: Vector) -> Vector:
+        """W's tip, drawn back along its axis until the tail is beside its jaws: bodies must not begin in each other."""
+        axis = axis_of_w(tip)
+        while True:
+            off = tail - tip
+            along = np.clip(off[:, 0] * axis[0] + off[:, 1] * axis[1] + off[:, 2] * axis[2], 0.0, JAW_LENGTH)
+            aside = off - along[:, None] * axis
+            if (aside[:, 0] ** 2 + aside[:, 1] ** 2 + aside[:, 2] ** 2).min() >= CLEAR ** 2:
+                return tip
+            tip = tip + 0.5e-3 * axis
+
     def _build(self, points: Vector) -> None:
         task = self.task
         self.scene = Scene(self.context, node_capacity=512, contact_capacity=2048, candidate_capacity=32768,
                            capsule_capacity=8, floor=1, floor_normal=(0.0, 0.0, 1.0), floor_height=FLOOR)
         self.thread = Thread(self.context, positions=points, axial_stiffness=task.axial_stiffness,
                              rest_lengths=[length(way) for way in np.diff(points, axis=0)],
-                             bending_stiffness=task.bending_stiffness, radius=0.125e-3, gravity=(0.0, 0.0, -9.81))
+                             bending_stiffness=task.bending_stiffness, radius=THREAD_RADIUS, gravity=(0.0, 0.0, -9.81))
         self.thread_body = self.scene.add(self.thread)
         for node in range(self.right_mark, self.left_mark + 1):
             self.thread.attach("pin", node)
@@ -228,6 +242,15 @@ class ThrowScene:
         points = self.positions
         return self.detector.judge(points, holes=(points[self.right_mark], points[self.left_mark]),
                                    hole_places=(self.right_mark, self.left_mark), away=(0.0, 0.0, -1.0))
+
+    # ---- copies
+
+    def __getstate__(self) -> dict[str, Any]:
+        return {name: value for name, value in vars(self).items() if name != "thread"}
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        vars(self).update(state)
+        self.thread = self.scene.thread(self.thread_body)
 
     def close(self) -> None:
         self.context.close()

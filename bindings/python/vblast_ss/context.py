@@ -3,6 +3,7 @@ from __future__ import annotations
 
 import atexit
 import ctypes
+import functools
 import os
 import sys
 import threading
@@ -58,6 +59,7 @@ class Context:
         self._lock = threading.RLock()
         self._memory = Memory()
         self._log = log
+        self._settings = settings
         config = vbss_context_config()
         check(lib.vbss_context_config_init(ctypes.byref(config), ctypes.sizeof(config)))
         fill(config, settings, "a context")
@@ -177,6 +179,11 @@ class Context:
             self._dropped.clear()
             _alive.discard(self)
             self._fail(0)
+
+    def __reduce__(self) -> Any:
+        """A copy is a new context with the same settings; objects bring their states themselves."""
+        self._require()
+        return functools.partial(type(self), log=self._log, **self._settings), ()
 
     def __enter__(self) -> Context:
         return self

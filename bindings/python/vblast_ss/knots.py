@@ -9,7 +9,7 @@ from ._api.knot import (KnotEvent, KnotFaultBits, KnotField, KnotHeld, KnotMetho
                         vbss_knot_detector, vbss_knot_input, vbss_knot_state, vbss_knot_detector_statistics, vbss_knot_throw,
                         vbss_knot_tool, vbss_knot_winding)
 from ._library import lib
-from ._objects import Configured, Saved, Viewed, context_or_new, created
+from ._objects import Remade, Viewed, context_or_new, created
 from ._values import constant, doubles, index, initialised
 from .context import Context
 from .views import Array
@@ -56,7 +56,7 @@ class Knot(NamedTuple):
     state: KnotState
 
 
-class KnotDetector(Configured, Viewed, Saved):
+class KnotDetector(Viewed, Remade):
     """Shown the thread as a polyline in every step, from the end of the tail limb to that of the long one.
     Keywords are the settings of vbss_knot_detector_config (KnotDetector.settings_help(), KnotDetector.defaults())."""
     _prefix, _noun = "vbss_knot_detector", "knot detector"
@@ -65,6 +65,7 @@ class KnotDetector(Configured, Viewed, Saved):
     def __init__(self, context: Optional[Context] = None, **settings: Any) -> None:
         context = context_or_new(context)
         config = initialised(vbss_knot_detector_config, lib.vbss_knot_detector_config_init, settings, "a knot detector")
+        self._settings = settings
         super().__init__(context, created(context, vbss_knot_detector, lib.vbss_knot_detector_create,
                                           context._handle, ctypes.byref(config)))
 

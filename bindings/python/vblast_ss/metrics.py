@@ -11,7 +11,7 @@ from ._api.metrics import (MetricsBimanual, MetricsFlagBits, MetricsEventKind, M
                            vbss_metrics_penalty, vbss_metrics_phase, vbss_metrics_pull, vbss_metrics_report,
                            vbss_metrics_sample, vbss_metrics_throw)
 from ._library import lib
-from ._objects import Configured, Saved, Viewed, context_or_new, created
+from ._objects import Remade, Viewed, context_or_new, created
 from ._values import constant, doubles, initialised, integer
 from .context import Context
 from .errors import OutOfRangeError, check
@@ -38,7 +38,7 @@ def metrics_offset(axis: Sequence[float], centre: Sequence[float], mark: Sequenc
     return MetricsOffset(angle.value, axial.value)
 
 
-class Metrics(Configured, Viewed, Saved):
+class Metrics(Viewed, Remade):
     """Measures one trial, of any simulator, from samples of the tools, events, and a pull test of the knot; all on
     one clock. Keywords are the settings of vbss_metrics_config (Metrics.settings_help(), Metrics.defaults())."""
     _prefix, _noun = "vbss_metrics", "measurement"
@@ -47,6 +47,7 @@ class Metrics(Configured, Viewed, Saved):
     def __init__(self, context: Optional[Context] = None, **settings: Any) -> None:
         context = context_or_new(context)
         config = initialised(vbss_metrics_config, lib.vbss_metrics_config_init, settings, "a measurement")
+        self._settings = settings
         super().__init__(context, created(context, vbss_metrics, lib.vbss_metrics_create, context._handle,
                                           ctypes.byref(config)))
 

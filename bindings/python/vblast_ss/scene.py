@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 import ctypes
-from typing import Any, Callable, Iterable, NamedTuple, Optional, Sequence, Union, cast
+from typing import Any, Callable, Iterable, NamedTuple, Optional, Sequence, TypeVar, Union, cast
 
 from ._api.base import Method
 from ._api.baseline import BaselineStatistics, vbss_baseline_statistics
@@ -32,6 +32,7 @@ __all__ = ["BaselineStatistics", "SceneBlocker", "SceneBlockerCause", "SceneBody
            "SceneNearest", "SceneOverlap", "SceneOverlapPolicy", "SceneRayHit", "SceneRigidKind", "SceneRigidState", "Scene", "SceneField", "SceneMode", "SceneStatistics"]
 
 Body = Union[Thread, Drain, Needle, Grasper]
+S = TypeVar("S", bound="Scene")
 
 
 class Capsule(NamedTuple):
@@ -60,6 +61,11 @@ class Event(NamedTuple):
 
 
 _EVENTS_AT_A_TIME = 256
+_HANDLES: dict[int, tuple[type[Object], Any, Any]] = {
+    SceneBodyKind.DRAIN: (Drain, lib.vbss_scene_get_drain, vbss_drain),
+    SceneBodyKind.NEEDLE: (Needle, lib.vbss_scene_get_needle, vbss_needle),
+    SceneBodyKind.GRASPER: (Grasper, lib.vbss_scene_get_grasper, vbss_grasper)}
+"""Of bodies by kind: their class, and how a handle is had. Threads have thread()."""
 
 
 def _event(kind: Callable[[int], Any], found: vbss_scene_event) -> Event:
@@ -102,18 +108,24 @@ class Scene(Configured, Viewed, Saved):
                                           ctypes.byref(config)))
 
     @classmethod
-    def load(cls, state: Any, context: Optional[Context] = None) -> Scene:
+    def load(cls: type[S], state: Any, context: Optional[Context] = None) -> S:
         """The scene of saved bytes (save()), with its bodies, which belong to it and end with it."""
         context = context_or_new(context)
         data = data_of(state, "state")
         return cls._of(context, created(context, vbss_scene, lib.vbss_scene_load, context._handle, data, len(data)))
 
     @classmethod
-    def _of(cls, context: Context, handle: Any) -> Scene:
-        scene = cls.__new__(cls)
+    def _of(cls: type[S], context: Context, handle: Any) -> S:
+        scene = super()._of(context, handle)
         scene._bodies = {}
-        Object.__init__(scene, context, handle)
+        scene._lost_events = 0
         return scene
+
+    def __reduce__(self) -> Any:
+        """State, context, and what else was stored in the object. Events that were not taken, user data, and an attached
+        record are no part of a copy."""
+        others = {name: value for name, value in vars(self).items() if name not in ("_context", "_handle", "_bodies")}
+        return type(self).load, (self.save(), self._context), others
 
     def close(self) -> None:
         super().close()
@@ -204,9 +216,18 @@ class Scene(Configured, Viewed, Saved):
         self._bodies.pop(body, None)
 
     def body(self, number: int) -> Object:
-        """The object that was added under a number, or a piece that was cut."""
+        """The thread, drain, needle or grasper of a number, also in a scene that was loaded, and a piece that was cut."""
         found = self._bodies.get(number)
-        return found if found is not None and not isinstance(found, Thread) else self.thread(number)
+        if found is not None and not isinstance(found, Thread):
+            return found
+        kind = self.body_info(number).kind
+        if kind not in _HANDLES:
+            return self.thread(number)
+        made, function, struct = _HANDLES[kind]
+        handle = ctypes.POINTER(struct)()
+        self._call(function, index(number), ctypes.byref(handle))
+        self._bodies[number] = made._of(self._context, handle)
+        return self._bodies[number]
 
     def thread(self, body: int) -> Thread:
         """A thread in the scene, also a piece that was cut."""
@@ -384,7 +405,7 @@ class Scene(Configured, Viewed, Saved):
     def grasps(self, tool: int) -> list[SceneGrasp]:
         """All of them."""
         self.grasper_handle(tool)  # fails unless the body is a grasper
-        grasper = cast(Grasper, self._bodies[tool])
+        grasper = cast(Grasper, self.body(tool))
         return [self.grasp(tool, number) for number in range(grasper.state.grasp_count)]
 
     def overlap(self, body: int) -> SceneOverlap:

@@ -10,7 +10,7 @@ from ._api.session import (SessionEvent, SessionEventKind, SessionFailure, Sessi
 from ._api.session_coaching import (SessionCoaching, SessionGeometryBits, SessionGoal, SessionMistake,
                                     vbss_session_coaching)
 from ._library import lib
-from ._objects import Configured, Object, Saved, created
+from ._objects import Configured, Object, Saved, again, created
 from ._values import initialised, integer, value_of
 from .devices import Device
 from .knots import KnotDetector
@@ -69,6 +69,9 @@ class Session(Configured, Saved):
 
             config.listen = self._listen = vbss_session_event_fn(hear)
         self._parts: tuple[Any, ...] = (scene, devices, knots, metrics, record, replay)  # they live as long as it does
+        self._settings = {**settings, "knots": knots, "metrics": metrics, "listen": listen}
+        self._has_devices = any(device is not None for device in devices)
+        self._record, self._replay = record, replay
         super().__init__(context, created(context, vbss_session, lib.vbss_session_create, scene._handle,
                                           ctypes.byref(config)))
 
@@ -84,6 +87,17 @@ class Session(Configured, Saved):
         """Writes to this record from now on; a replay is left."""
         self._call(lib.vbss_session_set_record, _handle_of(record, Record, "record"))
         self._parts += (record,)
+        self._record, self._replay = record, None
+
+    def __reduce__(self) -> Any:
+        """Copies of the scene, the knot detector and the metrics, with a session over them."""
+        if self._has_devices or self._record is not None or self._replay is not None:
+            raise TypeError("a session with devices, a record or a replay cannot be copied or pickled: make a session over a copy "
+                            "of its scene, and restore() what save() of this one gives")
+        return again, (type(self), (self._parts[0],), self._settings), self.save()
+
+    def __setstate__(self, state: bytes) -> None:
+        self.restore(state)
 
     @property
     def status(self) -> SessionStatus:

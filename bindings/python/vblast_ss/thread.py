@@ -81,12 +81,6 @@ class Thread(Configured, Body, Viewed, Saved):
         super().__init__(context, created(context, vbss_thread, lib.vbss_thread_create, context._handle,
                                           ctypes.byref(config)))
 
-    @classmethod
-    def _of(cls, context: Context, handle: Any) -> Thread:
-        thread = cls.__new__(cls)
-        Viewed.__init__(thread, context, handle)
-        return thread
-
     def step(self, h: float = 1e-3) -> None:
         """Moves the thread forward by h seconds."""
         self._call(lib.vbss_thread_step, h)
