@@ -17,6 +17,8 @@ COUNTS = {
     ("vbss_scene_rigid_config", "capsules"): ("capsule_count", 1, 0),
     ("vbss_scene_static_mesh_config", "vertices"): ("vertex_count", 3, 0),
     ("vbss_scene_static_mesh_config", "triangles"): ("triangle_count", 3, 0),
+    ("vbss_scene_surface_config", "vertices"): ("vertex_count", 3, 0),
+    ("vbss_scene_surface_config", "triangles"): ("triangle_count", 3, 0),
     ("vbss_knot_input", "points"): ("point_count", 3, 0),
     ("vbss_knot_input", "tools"): ("tool_count", 1, 0),
     ("vbss_record_config", "note"): ("note_bytes", 1, 0),

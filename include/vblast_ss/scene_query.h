@@ -20,13 +20,14 @@ typedef int32_t vbss_scene_body_kind;
 
 /** The constants of #vbss_scene_body_kind. */
 enum {
-    VBSS_SCENE_BODY_THREAD = 1,     /**< A thread. */
-    VBSS_SCENE_BODY_DRAIN = 2,      /**< A drain. */
-    VBSS_SCENE_BODY_RIGID = 3,      /**< A rigid body that is neither a needle nor a grasper. */
-    VBSS_SCENE_BODY_NEEDLE = 4,     /**< A needle. */
-    VBSS_SCENE_BODY_GRASPER = 5,    /**< A grasper. */
-    VBSS_SCENE_BODY_FLOOR = 6,      /**< The floor, body 0. */
-    VBSS_SCENE_BODY_STATIC_MESH = 7 /**< A static mesh. */
+    VBSS_SCENE_BODY_THREAD = 1,      /**< A thread. */
+    VBSS_SCENE_BODY_DRAIN = 2,       /**< A drain. */
+    VBSS_SCENE_BODY_RIGID = 3,       /**< A rigid body that is neither a needle nor a grasper. */
+    VBSS_SCENE_BODY_NEEDLE = 4,      /**< A needle. */
+    VBSS_SCENE_BODY_GRASPER = 5,     /**< A grasper. */
+    VBSS_SCENE_BODY_FLOOR = 6,       /**< The floor, body 0. */
+    VBSS_SCENE_BODY_STATIC_MESH = 7, /**< A static mesh. */
+    VBSS_SCENE_BODY_SURFACE = 8      /**< A host surface (scene_surface.h). */
 };
 
 /** Properties of a body in a scene. */

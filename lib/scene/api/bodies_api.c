@@ -51,6 +51,7 @@ static void describe_rigid(const scene_rigid *r, vbss_scene_body_info *info)
     info->kind = r->needle != NULL    ? VBSS_SCENE_BODY_NEEDLE
                  : r->grasper != NULL ? VBSS_SCENE_BODY_GRASPER
                  : r->is_static_mesh  ? VBSS_SCENE_BODY_STATIC_MESH
+                 : r->surface != NULL ? VBSS_SCENE_BODY_SURFACE
                                       : VBSS_SCENE_BODY_RIGID;
     info->motion = r->kind;
     info->friction = r->friction;

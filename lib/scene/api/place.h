@@ -4,6 +4,8 @@
 #ifndef VBSS_SCENE_PLACE_H
 #define VBSS_SCENE_PLACE_H
 
+#include <vblast_ss/scene_surface.h>
+
 #include "scene/world/scene_data.h"
 
 /* ---- new_body.c */
@@ -53,6 +55,14 @@ vbss_result vbss_scene_place_rigid(scene_object *s, const scene_rigid *rigid, sc
 vbss_result vbss_scene_place_static_mesh(scene_object *s,
                                          const vbss_scene_static_mesh_config *config, scene_body *b,
                                          uint32_t *body);
+
+/* Places a host surface, likewise. */
+vbss_result vbss_scene_place_host_surface(scene_object *s, const vbss_scene_surface_config *config,
+                                          scene_body *b, uint32_t *body);
+
+/* Checks the configuration of a host surface, and sets the error text. */
+vbss_result vbss_scene_check_host_surface(vbss_context *context,
+                                          const vbss_scene_surface_config *config);
 
 /* Checks the configuration of a static mesh, and sets the error text. */
 vbss_result vbss_scene_check_static_mesh(vbss_context *context,

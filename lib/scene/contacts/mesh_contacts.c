@@ -1,4 +1,4 @@
-/* Static meshes: directions in which their edges push, and which features are behind a one-sided mesh.
+/* Static meshes and host surfaces: directions in which their edges push, and which features are behind a one-sided mesh.
  *
  * An edge ahead of a thread that slides over level triangles is at a slant to it. A contact along the slant would brake
  * the thread. It acts along the normal of the triangle instead, unless the thread is below the plane of the
@@ -11,17 +11,18 @@
 typedef struct mesh_view {
     const collision_shape *shape;
     const scene_static_mesh *mesh;
+    const vec3 *x; /* positions of the vertices, m */
 } mesh_view;
 
-static mesh_view view_of(const scene_object *s, const scene_body *b)
+static mesh_view view_of(const scene_object *s, const scene_body *b, const vec3 *x)
 {
-    return (mesh_view){s->collision->shapes[b->shape], &b->rigid.mesh};
+    return (mesh_view){s->collision->shapes[b->shape], &b->rigid.mesh, x};
 }
 
 /* Normal of a triangle; its length is twice the area. */
 static vec3 area_normal(const mesh_view *v, uint32_t triangle)
 {
-    const vec3 *x = v->shape->start;
+    const vec3 *x = v->x;
     const uint32_t *n = v->shape->triangles[triangle];
     return vec3_cross(vec3_sub(x[n[1]], x[n[0]]), vec3_sub(x[n[2]], x[n[0]]));
 }
@@ -48,7 +49,7 @@ static void use_plane(nearest_plane *nearest, vec3 area, vec3 separation)
 static vec3 normal_inside_edge(const mesh_view *v, const uint32_t edge[2], double smallest,
                                vec3 separation)
 {
-    const vec3 *x = v->shape->start, along = vec3_sub(x[edge[1]], x[edge[0]]);
+    const vec3 *x = v->x, along = vec3_sub(x[edge[1]], x[edge[0]]);
     nearest_plane nearest = {separation, (double)INFINITY, smallest};
     uint32_t beside[2];
     const uint32_t count = vbss_scene_list_edge_triangles(v->mesh, v->shape, edge, beside, 2);
@@ -67,7 +68,7 @@ static vec3 normal_inside_edge(const mesh_view *v, const uint32_t edge[2], doubl
 /* Sides of a triangle from one of its corners, in the order of the triangle. */
 static void get_sides_at(const mesh_view *v, uint32_t triangle, uint32_t vertex, vec3 sides[2])
 {
-    const vec3 *x = v->shape->start;
+    const vec3 *x = v->x;
     const uint32_t *n = v->shape->triangles[triangle];
     const uint32_t corner = n[0] == vertex ? 0 : n[1] == vertex ? 1 : 2;
     sides[0] = vec3_sub(x[n[(corner + 1) % 3]], x[vertex]);
@@ -100,11 +101,12 @@ static vec3 normal_at_vertex(const mesh_view *v, uint32_t vertex, double smalles
                                                : vec3_add_scaled(separation, -ahead, ridge);
 }
 
-vec3 vbss_scene_mesh_normal(const scene_object *s, const scene_body *mesh, const uint32_t edge[2],
-                            double at, double contact_distance, vec3 separation)
+vec3 vbss_scene_mesh_normal(const scene_object *s, const scene_body *mesh, const vec3 *x,
+                            const uint32_t edge[2], double at, double contact_distance,
+                            vec3 separation)
 {
     const double smallest = (1.0 - SCENE_PLANE_TOLERANCE) * contact_distance;
-    const mesh_view v = view_of(s, mesh);
+    const mesh_view v = view_of(s, mesh, x);
     const vec3 direction = at > 0.0 && at < 1.0
                                ? normal_inside_edge(&v, edge, smallest, separation)
                                : normal_at_vertex(&v, edge[at > 0.0 ? 1 : 0], smallest, separation);
@@ -116,7 +118,7 @@ vec3 vbss_scene_mesh_normal(const scene_object *s, const scene_body *mesh, const
 static double height_over(const mesh_view *v, uint32_t triangle, vec3 point)
 {
     return vec3_dot(area_normal(v, triangle),
-                    vec3_sub(point, v->shape->start[v->shape->triangles[triangle][0]]));
+                    vec3_sub(point, v->x[v->shape->triangles[triangle][0]]));
 }
 
 /* One or two triangles at an edge, as a wedge. */
@@ -133,7 +135,7 @@ static wedge wedge_at(const mesh_view *v, const uint32_t edge[2])
     for (int k = 0; k < 3 && w.count == 2; k++) {
         const uint32_t corner = v->shape->triangles[w.triangles[1]][k];
         if (corner != edge[0] && corner != edge[1]) {
-            w.is_convex = height_over(v, w.triangles[0], v->shape->start[corner]) <= 0.0;
+            w.is_convex = height_over(v, w.triangles[0], v->x[corner]) <= 0.0;
         }
     }
     return w;
@@ -161,8 +163,7 @@ static bool does_intersect(const mesh_view *v, uint32_t triangle, const vec3 seg
     if ((first < 0.0) == (second < 0.0)) {
         return false;
     }
-    const vec3 point = vec3_lerp(segment[0], segment[1], first / (first - second)),
-               *x = v->shape->start;
+    const vec3 point = vec3_lerp(segment[0], segment[1], first / (first - second)), *x = v->x;
     const uint32_t *n = v->shape->triangles[triangle];
     const vec3 corners[3] = {vec3_sub(x[n[0]], point), vec3_sub(x[n[1]], point),
                              vec3_sub(x[n[2]], point)};
@@ -199,12 +200,12 @@ bool vbss_scene_is_behind_mesh(const scene_object *s, const collision_candidate 
 {
     const scene_body *a = &s->bodies[s->body_of_shape[q->shape_a]];
     const scene_body *b = &s->bodies[s->body_of_shape[q->shape_b]];
-    const bool is_mesh_a = scene_is_static_mesh(a);
+    const bool is_mesh_a = scene_is_mesh(a);
     const scene_body *mesh = is_mesh_a ? a : b;
-    if (!scene_is_static_mesh(mesh) || !mesh->rigid.mesh.is_one_sided) {
+    if (!scene_is_mesh(mesh) || !mesh->rigid.mesh.is_one_sided) {
         return false;
     }
-    const mesh_view v = view_of(s, mesh);
+    const mesh_view v = view_of(s, mesh, scene_mesh_vertices(s, mesh));
     const collision_shape *other = s->collision->shapes[is_mesh_a ? q->shape_b : q->shape_a];
     const uint32_t feature = is_mesh_a ? q->a : q->b, other_feature = is_mesh_a ? q->b : q->a;
     if (q->kind == VBSS_COLLISION_PAIR_POINT_TRIANGLE) {

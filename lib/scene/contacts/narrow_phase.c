@@ -71,7 +71,7 @@ static inline side side_of(const scene_object *s, const contact_constraint *cons
         d.radius = b->thread.thread->config.radius;
         return d;
     }
-    if (b->rigid.is_static_mesh) {
+    if (scene_is_mesh(b)) {
         d.vertex_count = vbss_scene_surface_feature_nodes(s, b, kind, which == 1, feature, d.nodes);
         d.radius = s->collision->shapes[b->shape]->radius;
         return d;
@@ -107,14 +107,17 @@ static void get_surface_vertices(const side *d, const vec3 *x, vec3 vertices[3])
     }
 }
 
+/* Vertices of a mesh. The motion of a host surface is known, and needs no prediction. */
+static const vec3 *mesh_vertices(const scene_object *s, const scene_body *b, moment when)
+{
+    return when == AT_START ? scene_mesh_vertices(s, b) : scene_mesh_trial_vertices(s, b);
+}
+
 /* For threads and capsules only: contacts of drains keep the normal of the start, and need
  * no prediction. */
 static void add_displacement(const scene_object *s, const side *d, vec3 vertices[3])
 {
     vec3 displacement[3];
-    if (scene_is_static_mesh(d->body)) {
-        return;
-    }
     if (d->capsule == NULL) {
         get_thread_vertices(d, s->step.expected_displacements + d->body->thread.first_node,
                             displacement);
@@ -138,11 +141,11 @@ static void get_vertices(const scene_object *s, const side *d, moment when, vec3
         const drain_object *own = b->drain.drain;
         get_surface_vertices(d, trial ? own->trial : own->x, vertices);
     } else if (d->capsule == NULL) {
-        get_surface_vertices(d, scene_mesh_vertices(s, b), vertices);
+        get_surface_vertices(d, mesh_vertices(s, b, when), vertices);
     } else {
         get_capsule_vertices(d, trial ? d->capsule->trial : d->capsule->now, vertices);
     }
-    if (when == AT_PREDICTED) {
+    if (when == AT_PREDICTED && !scene_is_mesh(b)) {
         add_displacement(s, d, vertices);
     }
 }
@@ -428,7 +431,7 @@ static void update_geometry(const scene_object *s, contact_constraint *constrain
 
 static bool is_mesh_edge(const side *e)
 {
-    return e->vertex_count == 2 && scene_is_static_mesh(e->body);
+    return e->vertex_count == 2 && scene_is_mesh(e->body);
 }
 
 /* Whether a contact keeps the normal of the start of the substep. Normals of segments jump, or turn
@@ -452,9 +455,11 @@ static bool is_inside_face(const scene_contact_geometry *geometry)
 
 /* Normal of features at a distance from each other. `separation` has that length. */
 static vec3 normal_along(const scene_object *s, const side *e,
-                         const scene_contact_geometry *geometry, vec3 separation, double distance)
+                         const scene_contact_geometry *geometry, moment when, vec3 separation,
+                         double distance)
 {
-    return is_mesh_edge(e) ? vbss_scene_mesh_normal(s, e->body, e->nodes, geometry->barycentric[1],
+    return is_mesh_edge(e) ? vbss_scene_mesh_normal(s, e->body, mesh_vertices(s, e->body, when),
+                                                    e->nodes, geometry->barycentric[1],
                                                     geometry->contact_distance, separation)
                            : vec3_scale(separation, 1.0 / distance);
 }
@@ -498,7 +503,7 @@ bool vbss_scene_run_narrow_phase(const scene_object *s, contact_constraint *cons
         return false;
     }
     constraint->normal = distance > SCENE_MIN_DISTANCE_RATIO * contact_distance
-                             ? normal_along(s, &e, geometry, separation_vector, distance)
+                             ? normal_along(s, &e, geometry, AT_START, separation_vector, distance)
                              : fallback_normal(s, &d, &e);
     if (keeps_start_normal(constraint, &d, &e)) {
         return true;
@@ -512,7 +517,8 @@ bool vbss_scene_run_narrow_phase(const scene_object *s, contact_constraint *cons
         vec3_dot(predicted, constraint->normal) > SCENE_MIN_NORMAL_COSINE * predicted_distance) {
         geometry->barycentric[0] = at[0];
         geometry->barycentric[1] = at[1];
-        constraint->normal = normal_along(s, &e, geometry, predicted, predicted_distance);
+        constraint->normal =
+            normal_along(s, &e, geometry, AT_PREDICTED, predicted, predicted_distance);
         geometry->lip_thickness = lip_thickness;
     }
     return true;
@@ -532,8 +538,9 @@ static void refresh_normal(const scene_object *s, contact_constraint *constraint
     vec3 direction =
         separation_of(s, geometry, d, e, AT_TRIAL, geometry->barycentric, &geometry->lip_thickness);
     if (is_mesh_edge(e)) {
-        direction = vbss_scene_mesh_normal(s, e->body, e->nodes, geometry->barycentric[1],
-                                           geometry->contact_distance, direction);
+        direction =
+            vbss_scene_mesh_normal(s, e->body, mesh_vertices(s, e->body, AT_TRIAL), e->nodes,
+                                   geometry->barycentric[1], geometry->contact_distance, direction);
     }
     constraint->normal = vec3_unit_or(direction, constraint->normal);
     constraint->previous_force =

@@ -230,6 +230,9 @@ static void visit_rigid(vbss_stream *stream, scene_object *s, scene_body *b)
     if (r->is_static_mesh) {
         vbss_stream_expect(stream, 24, r->mesh.geometry_hash);
     }
+    if (r->surface != NULL) {
+        vbss_scene_serialise_host_surface(stream, r);
+    }
     if (r->grasper != NULL) {
         visit_grasper(stream, s, r);
     }

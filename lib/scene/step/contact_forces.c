@@ -107,6 +107,7 @@ void vbss_scene_publish_constraints(scene_object *s)
         const scene_contact_record contact = {constraint->key, constraint->normal, force, point,
                                               gap};
         vbss_scene_publish_contact(s, &contact);
+        vbss_scene_add_surface_forces(s, constraint, force);
         for (uint32_t k = 0; k < constraint->jacobian_block_count; k++) {
             const contact_jacobian_block *jacobian_block = &constraint->jacobian[k];
             if (!jacobian_block->is_rotation) {
@@ -161,6 +162,9 @@ void vbss_scene_collect_forces(scene_object *s)
     for (uint32_t i = 0; i < s->body_count; i++) {
         if (scene_active_kind(&s->bodies[i]) == SCENE_BODY_RIGID) {
             s->bodies[i].rigid.force = s->bodies[i].rigid.torque = vec3_zero();
+            if (s->bodies[i].rigid.surface != NULL) {
+                vbss_scene_clear_surface_forces(s->bodies[i].rigid.surface);
+            }
         }
     }
     s->method->publish_contacts(s);

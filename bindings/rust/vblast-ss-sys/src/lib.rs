@@ -27,6 +27,7 @@ mod scene_event;
 mod record;
 mod scene_query;
 mod scene_settings;
+mod scene_surface;
 mod session;
 mod visual;
 
@@ -54,5 +55,6 @@ pub use scene_event::*;
 pub use record::*;
 pub use scene_query::*;
 pub use scene_settings::*;
+pub use scene_surface::*;
 pub use session::*;
 pub use visual::*;
