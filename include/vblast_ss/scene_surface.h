@@ -48,6 +48,11 @@ typedef struct vbss_scene_surface_config {
      * 1e-6 to 1e3; default 20e-3: 20 m/s at steps of 1 ms. #vbss_scene_move_surface refuses a longer
      * one. */
     double jump_limit;
+    /** Numbers with which the host states how far each vertex gives way to a force: 0 (default): none, all
+     * vertices are exactly where the host says; 1: one compliance for all directions; 9: a symmetric matrix of
+     * 3 x 3. Values are set by #vbss_scene_set_surface_compliance, and are zero before. */
+    uint32_t compliance_size;
+    uint32_t reserved; /**< Zero. */
 } vbss_scene_surface_config;
 
 /** An array of a host surface: a VBSS_SCENE_SURFACE_VIEW_ constant. */
@@ -63,7 +68,8 @@ enum {
     /** Contact forces on the vertices at the end of the last step, friction included, N: vertex_count
      * times x, y, z. Each contact force acts at a point of the middle of the wall, and the corners of
      * the triangle or edge there share it by its barycentric coordinates. So the forces on the
-     * vertices have the sum and the torque of the contact forces at these points. */
+     * vertices have the sum and the torque of the contact forces at these points. After a step of which
+     * the scene left out a part they are those of the step before. */
     VBSS_SCENE_SURFACE_VIEW_FORCES = 3
 };
 
@@ -102,7 +108,8 @@ static inline vbss_scene_surface_config vbss_scene_surface_config_default(void)
  * static mesh that moves (#vbss_scene_add_static_mesh): it touches neither itself nor static meshes nor
  * other host surfaces, no node can be pinned to it, and no hole be made in it. A driven body and the
  * surface do not press on each other, because both follow the host exactly: the guard holds both back.
- * A coupled tool presses on it. The call allocates all memory that steps need for the surface.
+ * Vertices with a compliance (#vbss_scene_set_surface_compliance) give way to it, and a coupled tool gives
+ * way itself. The call allocates all memory that steps need for the surface.
  * #vbss_scene_get_rigid reports the sum of the contact forces on it.
  *
  * @param scene      the scene, of method VBSS_METHOD_IMPLICIT
@@ -144,6 +151,35 @@ VBSS_API vbss_result vbss_scene_add_surface(vbss_scene *scene,
  */
 VBSS_API vbss_result vbss_scene_move_surface(vbss_scene *scene, uint32_t body,
                                              const double *vertices, uint32_t vertex_count);
+
+/**
+ * Sets how far each vertex of a host surface gives way to a contact force: the scene finds contacts at the
+ * position that the host has given plus compliance times force. So it solves for the force that the host's
+ * model bears at the end of the step, and a light or soft surface stays stable
+ * (docs/guides/host-surface.md). The best value is what a force that acts during the whole next step does to
+ * the vertex in the host's model: h^2 / mass for a free particle, or the block of the inverse of the host's
+ * system matrix. The host gives the positions that its vertices reach without contact force, and then applies
+ * the returned forces during the same step. The vertices then end where #VBSS_SCENE_SURFACE_VIEW_POSITIONS
+ * says. Vertices that no contact touches stay where the host says. At most 1,024 vertices of a surface are
+ * touched at a time, or the step returns VBSS_ERROR_CAPACITY.
+ *
+ * The call ends a suspended step. Snapshots save the compliance, and a log stores the state with each call.
+ *
+ * @param scene       the scene
+ * @param body        a host surface that was added with compliance_size 1 or 9
+ * @param compliance  vertex_count times compliance_size numbers, m/N: for each vertex a number, or the rows of a
+ *         symmetric, positive definite matrix of which no pivot is below 1e-6 of the largest number. The largest
+ *         number of a vertex is 1e-9 to 1e6; all zero: the vertex is exactly where the host says
+ * @param count       number of these numbers
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_NOT_FOUND (no such
+ *         body), VBSS_ERROR_INCOMPATIBLE (no host surface, or one of compliance_size 0),
+ *         VBSS_ERROR_NOT_FINITE, VBSS_ERROR_OUT_OF_RANGE, VBSS_ERROR_OUT_OF_MEMORY (only while a step is
+ *         suspended), VBSS_ERROR_CAPACITY (the record has no room) or VBSS_ERROR_BUSY
+ * @threads one thread at a time per context
+ * @since 1.0
+ */
+VBSS_API vbss_result vbss_scene_set_surface_compliance(vbss_scene *scene, uint32_t body,
+                                                       const double *compliance, uint32_t count);
 
 /**
  * Describes an array of a host surface without copying it.

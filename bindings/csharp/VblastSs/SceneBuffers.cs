@@ -87,6 +87,15 @@ namespace VblastSs
             }
         }
 
+        /// <summary>How far each vertex of a host surface gives way to a force, m/N: a number, or a matrix of 3 x 3.</summary>
+        public void SetSurfaceCompliance(uint body, ReadOnlySpan<double> compliance)
+        {
+            fixed (double* first = compliance)
+            {
+                Context.Check(Native.vbss_scene_set_surface_compliance(Handle, body, first, (uint)compliance.Length));
+            }
+        }
+
         /// <summary>An array of a host surface, in place.</summary>
         public View ViewOfSurface(uint body, SceneSurfaceField field)
         {

@@ -164,7 +164,8 @@ class Scene(Configured, Viewed, Saved):
 
     def add_surface(self, vertices: Any, triangles: Any, **settings: Any) -> int:
         """Adds a mesh whose vertices the host moves; returns its number. `vertices` (n x 3, m), `triangles` (m x 3
-        vertices); keywords as in vbss_scene_surface_config: friction, thickness, one_sided, jump_limit."""
+        vertices); keywords as in vbss_scene_surface_config: friction, thickness, one_sided, jump_limit,
+        compliance_size."""
         points = doubles(vertices, "vertices", row=3)
         corners = numbers(triangles, ctypes.c_uint32, "triangles", row=3)
         config = initialised(vbss_scene_surface_config, lib.vbss_scene_surface_config_init, settings, "a host surface")
@@ -178,6 +179,12 @@ class Scene(Configured, Viewed, Saved):
         """Positions of the vertices of a host surface at the end of the next step (n x 3, m)."""
         points = doubles(vertices, "vertices", row=3)
         self._call(lib.vbss_scene_move_surface, index(body), points, len(points) // 3)
+
+    def set_surface_compliance(self, body: int, compliance: Any) -> None:
+        """How far each vertex of a host surface gives way to a force, m/N: a number for each vertex, or the nine numbers
+        of a symmetric matrix, as compliance_size was when it was added."""
+        values = doubles(compliance, "compliance")
+        self._call(lib.vbss_scene_set_surface_compliance, index(body), values, len(values))
 
     def surface(self, body: int, field: SceneSurfaceField = SceneSurfaceField.FORCES) -> Array:
         """One of the arrays of a host surface, n x 3: SceneSurfaceField says what each has."""

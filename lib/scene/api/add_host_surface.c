@@ -7,10 +7,11 @@
 #include "scene/api/api.h"
 #include "scene/api/overlap.h"
 #include "scene/api/place.h"
+#include "scene/solve/solve.h"
 #include "scene/world/world.h"
 
 _Static_assert(sizeof(vbss_scene_surface_config) ==
-                   VBSS_SIZE_WITH_POINTERS(vbss_scene_surface_config, 40u, 2u),
+                   VBSS_SIZE_WITH_POINTERS(vbss_scene_surface_config, 48u, 2u),
                "published size");
 
 static const vbss_scene_surface_config surface_defaults = {
@@ -20,7 +21,7 @@ static const vbss_scene_surface_config surface_defaults = {
     .jump_limit = 20e-3,
 };
 static const uint32_t surface_sizes[] = {
-    VBSS_SIZE_WITH_POINTERS(vbss_scene_surface_config, 40u, 2u), 0};
+    VBSS_SIZE_WITH_POINTERS(vbss_scene_surface_config, 48u, 2u), 0};
 static const vbss_layout surface_layout = {"vbss_scene_surface_config", &surface_defaults,
                                            surface_sizes};
 
@@ -55,6 +56,10 @@ vbss_result vbss_scene_check_host_surface(vbss_context *context, const vbss_scen
     const vbss_scene_static_mesh_config mesh = mesh_of(c);
     VBSS_TRY(vbss_scene_check_static_mesh(context, &mesh));
     VBSS_TRY(vbss_check_range(context, c->jump_limit, 1e-6, 1e3, "jump_limit"));
+    if (c->compliance_size != 0 && c->compliance_size != 1 && c->compliance_size != 9) {
+        return vbss_fail(context, VBSS_ERROR_OUT_OF_RANGE, "compliance_size is %u, not 0, 1 or 9",
+                         c->compliance_size);
+    }
     uint32_t thin = 0;
     const scene_surface surface = outline_of(c).surface;
     return vbss_scene_keeps_triangles(surface.triangles, surface.triangle_count, surface.vertices,
@@ -80,9 +85,12 @@ vbss_result vbss_scene_place_host_surface(scene_object *s, const vbss_scene_surf
 {
     const vbss_scene_static_mesh_config mesh = mesh_of(c);
     scene_rigid motion = {.surface = NULL};
-    VBSS_TRY(vbss_scene_create_host_surface(s, &motion, c->vertices, c->vertex_count));
-    motion.surface->jump_limit = c->jump_limit;
-    const vbss_result result = vbss_scene_place_static_mesh(s, &mesh, b, body);
+    VBSS_TRY(vbss_scene_create_host_surface(s, &motion, c));
+    const uint32_t blocks = vbss_scene_surface_blocks(motion.surface);
+    vbss_result result = blocks > 0 ? vbss_scene_create_system(s, NULL, blocks) : VBSS_OK;
+    if (result == VBSS_OK) {
+        result = vbss_scene_place_static_mesh(s, &mesh, b, body);
+    }
     if (result != VBSS_OK) {
         vbss_scene_release_host_surface(s, &motion);
         return result;

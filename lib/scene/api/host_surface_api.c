@@ -73,6 +73,72 @@ vbss_result vbss_scene_move_surface(vbss_scene *scene, uint32_t body, const doub
     return vbss_edit_end(scene, &input, VBSS_OK);
 }
 
+/* ---- compliance */
+
+static mat3 compliance_of(const scene_host_surface *h, const double *compliance, uint32_t vertex)
+{
+    const double *c = compliance + (size_t)vertex * h->compliance_size;
+    return h->compliance_size == 1 ? mat3_diagonal(c[0], c[0], c[0])
+                                   : mat3_rows(vec3_load(c), vec3_load(c + 3), vec3_load(c + 6));
+}
+
+static vbss_result check_compliance(const scene_object *s, const scene_host_surface *h,
+                                    const double *compliance, uint32_t count)
+{
+    const uint64_t expected = (uint64_t)h->vertex_count * h->compliance_size;
+    if (!scene_is_compliant(h)) {
+        return vbss_fail(s->context, VBSS_ERROR_INCOMPATIBLE,
+                         "the host surface was added with compliance_size 0");
+    }
+    if (count != expected) {
+        return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE,
+                         "count is %u, the host surface has %llu numbers of compliance", count,
+                         (unsigned long long)expected);
+    }
+    VBSS_TRY(vbss_check_finite(s->context, compliance, count, "compliance"));
+    for (uint32_t i = 0; i < h->vertex_count; i++) {
+        const mat3 own = compliance_of(h, compliance, i);
+        if (!vbss_scene_is_compliance(&own)) {
+            return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE,
+                             "the compliance of vertex %u is neither zero nor positive definite "
+                             "within its limits",
+                             i);
+        }
+    }
+    return VBSS_OK;
+}
+
+static vbss_result set_compliance(scene_object *s, scene_host_surface *h, const double *compliance)
+{
+    for (uint32_t i = 0; i < h->vertex_count; i++) {
+        const mat3 own = compliance_of(h, compliance, i);
+        vbss_scene_set_vertex_compliance(h, i, &own);
+        if (!scene_gives_way(h, i)) {
+            h->deflections[i] = vec3_zero();
+        }
+    }
+    s->report.generation++;
+    return VBSS_OK;
+}
+
+vbss_result vbss_scene_set_surface_compliance(vbss_scene *scene, uint32_t body,
+                                              const double *compliance, uint32_t count)
+{
+    VBSS_ENTER(scene);
+    scene_object *s;
+    scene_body *b;
+    scene_edit edit;
+    vbss_edit input = {.kind = VBSS_EDIT_OTHER};
+    VBSS_TRY(vbss_scene_open_mutable(scene, &s));
+    VBSS_TRY(vbss_check_pointer(s->context, compliance, "compliance"));
+    VBSS_TRY(require_surface(s, body, &b));
+    VBSS_TRY(check_compliance(s, b->rigid.surface, compliance, count));
+    VBSS_TRY(vbss_scene_begin_edit(scene, &input, &edit));
+    return vbss_scene_end_edit(&edit, set_compliance(s, b->rigid.surface, compliance));
+}
+
+/* ---- views */
+
 vbss_result vbss_scene_get_surface_view(vbss_scene *scene, uint32_t body,
                                         vbss_scene_surface_field field, vbss_view *view,
                                         uint32_t struct_size)

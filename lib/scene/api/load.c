@@ -415,6 +415,7 @@ static vbss_result load_host_surface(scene_loader *l, const scene_body_descripti
     config.friction = m->friction;
     config.thickness = m->thickness;
     config.jump_limit = d->host_surface.jump_limit;
+    config.compliance_size = d->host_surface.compliance_size;
     vbss_result result = check_created(l, vbss_scene_check_host_surface(l->s->context, &config));
     if (result == VBSS_OK) {
         result = vbss_scene_place_host_surface(l->s, &config, b, &number);

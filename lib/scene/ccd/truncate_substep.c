@@ -229,7 +229,7 @@ double vbss_scene_truncate_substep(scene_object *s, scene_substep_outcome outcom
         }
     }
     vbss_scene_commit_capsules(s);
-    vbss_scene_commit_host_surfaces(s);
+    vbss_scene_commit_host_surfaces(s, false);
     vbss_scene_advance_holes(s);
     s->report.statistics.parts++;
     s->report.statistics.clamped++;

@@ -113,7 +113,7 @@ void vbss_scene_set_motion_bounds(scene_object *s, const scene_substep *substep)
         } else if (s->bodies[i].kind == SCENE_BODY_THREAD) {
             set_thread_displacements(s, &s->bodies[i].thread, substep);
         } else if (scene_host_surface_of(&s->bodies[i]) != NULL) {
-            vbss_scene_advance_host_surface(s->bodies[i].rigid.surface, substep->end_fraction);
+            vbss_scene_advance_host_surface(s->bodies[i].rigid.surface, substep);
         } else if (s->bodies[i].kind == SCENE_BODY_RIGID) {
             set_capsule_displacements(s, &s->bodies[i].rigid, substep);
         } else if (s->bodies[i].kind == SCENE_BODY_DRAIN) {

@@ -307,7 +307,14 @@ static void add_jacobian(const scene_object *s, contact_constraint *constraint, 
                          const double weights[3], vec3 point, double sign)
 {
     const scene_body *b = d->body;
-    if (b->kind == SCENE_BODY_RIGID) {
+    if (scene_is_compliant(scene_host_surface_of(b))) {
+        for (uint32_t k = 0; k < d->vertex_count && k < 3; k++) {
+            vbss_scene_add_jacobian_block(constraint,
+                                          scene_first_vertex_block(&b->rigid) +
+                                              b->rigid.surface->touched_index[d->nodes[k]],
+                                          sign * weights[k]);
+        }
+    } else if (b->kind == SCENE_BODY_RIGID) {
         vbss_scene_add_rigid_jacobian(constraint, &b->rigid, point, sign);
     } else if (b->kind == SCENE_BODY_DRAIN) {
         for (uint32_t k = 0; k < d->vertex_count && k < 3; k++) {
@@ -373,7 +380,8 @@ static double pair_friction(const scene_object *s, const scene_body *a, const sc
 /* Augmentation r, N/m. Contacts of rigid bodies only scale it with the mass of the lighter one. */
 static double augmentation_of(const scene_body *a, const scene_body *b, double h)
 {
-    if (a->kind != SCENE_BODY_RIGID || (b != NULL && b->kind != SCENE_BODY_RIGID)) {
+    if (a->kind != SCENE_BODY_RIGID || (b != NULL && b->kind != SCENE_BODY_RIGID) ||
+        scene_is_compliant(scene_host_surface_of(b))) {
         return SCENE_NODE_AUGMENTATION;
     }
     double mass = a->rigid.body.mass;

@@ -72,6 +72,7 @@ void vbss_scene_visit_body_description(vbss_stream *stream, scene_body_descripti
     case SCENE_DESCRIBED_HOST_SURFACE:
         visit_mesh(stream, &d->host_surface.mesh);
         vbss_stream_f64(stream, 57, &d->host_surface.jump_limit, 1);
+        vbss_stream_u32(stream, 58, &d->host_surface.compliance_size, 1);
         break;
     default:
         vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no such type of body");
@@ -176,8 +177,9 @@ static scene_body_description describe_mesh(const scene_rigid *r, const collisio
                                                 .friction = r->created_friction,
                                                 .thickness = 2.0 * shape->radius};
     if (r->surface != NULL) {
-        return (scene_body_description){.type = SCENE_DESCRIBED_HOST_SURFACE,
-                                        .host_surface = {mesh, r->surface->jump_limit}};
+        return (scene_body_description){
+            .type = SCENE_DESCRIBED_HOST_SURFACE,
+            .host_surface = {mesh, r->surface->jump_limit, r->surface->compliance_size}};
     }
     return (scene_body_description){.type = SCENE_DESCRIBED_STATIC_MESH, .static_mesh = mesh};
 }

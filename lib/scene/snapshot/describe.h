@@ -40,6 +40,7 @@ typedef struct scene_static_mesh_description {
 typedef struct scene_host_surface_description {
     scene_static_mesh_description mesh;
     double jump_limit; /* m */
+    uint32_t compliance_size;
 } scene_host_surface_description;
 
 /* Numbers of entries of a surface's arrays. */

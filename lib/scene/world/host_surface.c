@@ -5,11 +5,11 @@
 
 #include <string.h>
 
-enum { SURFACE_ARRAYS = 11 };
+enum { SURFACE_ARRAYS = 18 };
 
 static void list_arrays(scene_host_surface *h, vbss_array arrays[SURFACE_ARRAYS])
 {
-    const size_t n = h->vertex_count;
+    const size_t n = h->vertex_count, compliant = scene_is_compliant(h) ? n : 0;
     const vbss_array all[SURFACE_ARRAYS] = {
         {&h->now, n, sizeof(vec3)},
         {&h->start, n, sizeof(vec3)},
@@ -22,8 +22,20 @@ static void list_arrays(scene_host_surface *h, vbss_array arrays[SURFACE_ARRAYS]
         {&h->checkpoint.now, n, sizeof(vec3)},
         {&h->checkpoint.start, n, sizeof(vec3)},
         {&h->checkpoint.end, n, sizeof(vec3)},
+        {&h->compliance, compliant, sizeof(mat3)},
+        {&h->stiffness, compliant, sizeof(mat3)},
+        {&h->deflections, compliant, sizeof(vec3)},
+        {&h->checkpoint.deflections, compliant, sizeof(vec3)},
+        {&h->free_positions, compliant, sizeof(vec3)},
+        {&h->touched, compliant, sizeof(uint32_t)},
+        {&h->touched_index, compliant, sizeof(uint32_t)},
     };
     memcpy(arrays, all, sizeof all);
+}
+
+static uint32_t compliant_count(const scene_host_surface *h)
+{
+    return scene_is_compliant(h) ? h->vertex_count : 0;
 }
 
 static void copy(const scene_host_surface *h, vec3 *to, const vec3 *from)
@@ -31,15 +43,17 @@ static void copy(const scene_host_surface *h, vec3 *to, const vec3 *from)
     memcpy(to, from, h->vertex_count * sizeof *to);
 }
 
-vbss_result vbss_scene_create_host_surface(scene_object *s, scene_rigid *r, const double *vertices,
-                                           uint32_t vertex_count)
+vbss_result vbss_scene_create_host_surface(scene_object *s, scene_rigid *r,
+                                           const vbss_scene_surface_config *config)
 {
     vbss_array arrays[SURFACE_ARRAYS];
     scene_host_surface *h = vbss_allocate(s->context, 1, sizeof *h, "host surface");
     if (h == NULL) {
         return VBSS_ERROR_OUT_OF_MEMORY;
     }
-    *h = (scene_host_surface){.vertex_count = vertex_count};
+    *h = (scene_host_surface){.vertex_count = config->vertex_count,
+                              .jump_limit = config->jump_limit,
+                              .compliance_size = config->compliance_size};
     list_arrays(h, arrays);
     const vbss_result result =
         vbss_allocate_arrays(s->context, arrays, SURFACE_ARRAYS, "host surface");
@@ -47,8 +61,14 @@ vbss_result vbss_scene_create_host_surface(scene_object *s, scene_rigid *r, cons
         vbss_release(s->context, h, 1, sizeof *h);
         return result;
     }
-    for (uint32_t i = 0; i < vertex_count; i++) {
-        h->now[i] = vec3_load(vertices + 3 * (size_t)i);
+    for (uint32_t i = 0; i < h->vertex_count; i++) {
+        h->now[i] = vec3_load(config->vertices + 3 * (size_t)i);
+    }
+    const mat3 none = mat3_zero();
+    for (uint32_t i = 0; i < compliant_count(h); i++) {
+        vbss_scene_set_vertex_compliance(h, i, &none);
+        h->deflections[i] = vec3_zero();
+        h->free_positions[i] = h->now[i];
     }
     copy(h, h->start, h->now);
     copy(h, h->end, h->now);
@@ -102,12 +122,21 @@ static vec3 partway(vec3 start, vec3 end, double fraction)
     return vec3_add_scaled(start, fraction, vec3_sub(end, start));
 }
 
-void vbss_scene_advance_host_surface(scene_host_surface *h, double end_fraction)
+void vbss_scene_advance_host_surface(scene_host_surface *h, const scene_substep *substep)
 {
+    const double end_fraction = substep->end_fraction;
     for (uint32_t i = 0; i < h->vertex_count; i++) {
-        h->trial[i] =
+        const vec3 prescribed =
             end_fraction < 1.0 ? partway(h->start[i], h->end[i], end_fraction) : h->end[i];
-        h->expected_displacements[i] = vec3_sub(h->trial[i], h->now[i]);
+        const vec3 rejected = h->trial[i];
+        h->trial[i] = prescribed;
+        if (scene_gives_way(h, i)) {
+            /* The forces of the last substep are the best guess. */
+            h->free_positions[i] = prescribed;
+            h->trial[i] = vec3_add(prescribed, h->deflections[i]);
+        }
+        h->expected_displacements[i] =
+            vec3_sub(substep->uses_trial_motion ? rejected : h->trial[i], h->now[i]);
     }
 }
 
@@ -124,20 +153,72 @@ void vbss_scene_truncate_host_surface(scene_host_surface *h, double fraction)
     }
 }
 
-void vbss_scene_commit_host_surfaces(scene_object *s)
+static void record_deflections(scene_host_surface *h)
+{
+    for (uint32_t i = 0; i < compliant_count(h); i++) {
+        h->deflections[i] =
+            scene_gives_way(h, i) ? vec3_sub(h->trial[i], h->free_positions[i]) : vec3_zero();
+    }
+}
+
+void vbss_scene_commit_host_surfaces(scene_object *s, bool is_accepted)
 {
     for (uint32_t i = 0; i < s->body_count; i++) {
         scene_host_surface *h = scene_host_surface_of(&s->bodies[i]);
-        if (h != NULL) {
-            copy(h, h->now, h->trial);
+        if (h == NULL || s->bodies[i].is_frozen) {
+            continue;
+        }
+        copy(h, h->now, h->trial);
+        if (is_accepted) {
+            record_deflections(h);
         }
     }
 }
 
 void vbss_scene_finish_host_surface(scene_host_surface *h, bool is_behind)
 {
-    copy(h, h->start, is_behind ? h->now : h->end);
+    copy(h, h->start, is_behind || scene_is_compliant(h) ? h->now : h->end);
     vbss_scene_update_host_surface(h);
+}
+
+/* ---- compliance */
+
+/* Inverse of a positive definite matrix, by its cofactors. */
+static mat3 inverse_of(const mat3 *a)
+{
+    const vec3 x = vec3_make(a->m[0][0], a->m[0][1], a->m[0][2]),
+               y = vec3_make(a->m[1][0], a->m[1][1], a->m[1][2]),
+               z = vec3_make(a->m[2][0], a->m[2][1], a->m[2][2]);
+    const vec3 yz = vec3_cross(y, z), zx = vec3_cross(z, x), xy = vec3_cross(x, y);
+    return mat3_transpose(mat3_scale(mat3_rows(yz, zx, xy), 1.0 / vec3_dot(x, yz)));
+}
+
+bool vbss_scene_is_compliance(const mat3 *c)
+{
+    double largest = 0.0;
+    for (int i = 0; i < 3; i++) {
+        for (int k = 0; k < 3; k++) {
+            if (!(fabs(c->m[i][k]) <= SCENE_MAX_COMPLIANCE) || c->m[i][k] != c->m[k][i]) {
+                return false;
+            }
+            largest = vbss_max(fabs(c->m[i][k]), largest);
+        }
+    }
+    /* Pivots of its factor: the smallest is not below the smallest eigenvalue. */
+    const double first = c->m[0][0];
+    const double second = c->m[1][1] - c->m[1][0] * c->m[1][0] / first;
+    const double row = c->m[2][1] - c->m[2][0] * c->m[1][0] / first;
+    const double third = c->m[2][2] - c->m[2][0] * c->m[2][0] / first - row * row / second;
+    const double smallest = SCENE_MIN_COMPLIANCE_RATIO * largest;
+    return largest == 0.0 || (largest >= SCENE_MIN_COMPLIANCE && first >= smallest &&
+                              second >= smallest && third >= smallest);
+}
+
+void vbss_scene_set_vertex_compliance(scene_host_surface *h, uint32_t vertex,
+                                      const mat3 *compliance)
+{
+    h->compliance[vertex] = *compliance;
+    h->stiffness[vertex] = compliance->m[0][0] > 0.0 ? inverse_of(compliance) : mat3_zero();
 }
 
 /* ---- forces */
@@ -213,6 +294,7 @@ void vbss_scene_checkpoint_host_surface(scene_host_surface *h)
     copy(h, h->checkpoint.now, h->now);
     copy(h, h->checkpoint.start, h->start);
     copy(h, h->checkpoint.end, h->end);
+    memcpy(h->checkpoint.deflections, h->deflections, compliant_count(h) * sizeof *h->deflections);
     h->checkpoint.is_moving = h->is_moving;
     h->checkpoint.has_pending = h->has_pending;
 }
@@ -222,6 +304,7 @@ void vbss_scene_rollback_host_surface(scene_host_surface *h)
     copy(h, h->now, h->checkpoint.now);
     copy(h, h->start, h->checkpoint.start);
     copy(h, h->end, h->checkpoint.end);
+    memcpy(h->deflections, h->checkpoint.deflections, compliant_count(h) * sizeof *h->deflections);
     h->is_moving = h->checkpoint.is_moving;
     h->has_pending = h->checkpoint.has_pending;
 }

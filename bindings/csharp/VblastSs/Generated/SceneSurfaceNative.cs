@@ -15,6 +15,9 @@ namespace VblastSs
         internal static extern Result vbss_scene_move_surface(ObjectHandle scene, uint body, double* vertices, uint vertexCount);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern Result vbss_scene_set_surface_compliance(ObjectHandle scene, uint body, double* compliance, uint count);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         internal static extern Result vbss_scene_get_surface_view(ObjectHandle scene, uint body, SceneSurfaceField field, ViewData* view, uint structSize);
     }
 }

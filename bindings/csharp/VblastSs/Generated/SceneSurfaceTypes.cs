@@ -20,7 +20,8 @@ namespace VblastSs
         /// vertex_count times x, y, z. Each contact force acts at a point of the middle of the
         /// wall, and the corners of the triangle or edge there share it by its barycentric
         /// coordinates. So the forces on the vertices have the sum and the torque of the contact
-        /// forces at these points.
+        /// forces at these points. After a step of which the scene left out a part they are those
+        /// of the step before.
         /// </summary>
         Forces = 3,
     }
@@ -37,6 +38,8 @@ namespace VblastSs
         internal double Friction;
         internal double Thickness;
         internal double JumpLimit;
+        internal uint ComplianceSize;
+        internal uint Reserved;
     }
 
     /// <summary>
@@ -124,6 +127,18 @@ namespace VblastSs
         {
             get { return box[0].JumpLimit; }
             set { box[0].JumpLimit = value; }
+        }
+
+        /// <summary>
+        /// Numbers with which the host states how far each vertex gives way to a force: 0
+        /// (default): none, all vertices are exactly where the host says; 1: one compliance for all
+        /// directions; 9: a symmetric matrix of 3 x 3. Values are set by
+        /// vbss_scene_set_surface_compliance, and are zero before.
+        /// </summary>
+        public uint ComplianceSize
+        {
+            get { return box[0].ComplianceSize; }
+            set { box[0].ComplianceSize = value; }
         }
 
         internal SceneSurfaceConfigData* Pin(Pins pins)

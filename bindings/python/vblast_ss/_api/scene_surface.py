@@ -23,7 +23,7 @@ class SceneSurfaceField(IntEnum):
     vertex_count times x, y, z. Each contact force acts at a point of the middle of the wall,
     and the corners of the triangle or edge there share it by its barycentric coordinates. So
     the forces on the vertices have the sum and the torque of the contact forces at these
-    points."""
+    points. After a step of which the scene left out a part they are those of the step before."""
 
 
 class vbss_scene_surface_config(ctypes.Structure):
@@ -54,7 +54,12 @@ class vbss_scene_surface_config(ctypes.Structure):
 
     jump_limit: Largest distance between two positions of a vertex that the host gives one after
     the other, m, 1e-6 to 1e3; default 20e-3: 20 m/s at steps of 1 ms. vbss_scene_move_surface
-    refuses a longer one."""
+    refuses a longer one.
+
+    compliance_size: Numbers with which the host states how far each vertex gives way to a
+    force: 0 (default): none, all vertices are exactly where the host says; 1: one compliance
+    for all directions; 9: a symmetric matrix of 3 x 3. Values are set by
+    vbss_scene_set_surface_compliance, and are zero before."""
     struct_size: int
     vertex_count: int
     triangle_count: int
@@ -64,6 +69,8 @@ class vbss_scene_surface_config(ctypes.Structure):
     friction: float
     thickness: float
     jump_limit: float
+    compliance_size: int
+    reserved: int
     _kinds_: ClassVar[dict[str, Any]] = {}
     _fields_ = [
         ("struct_size", c_uint32),
@@ -75,6 +82,8 @@ class vbss_scene_surface_config(ctypes.Structure):
         ("friction", c_double),
         ("thickness", c_double),
         ("jump_limit", c_double),
+        ("compliance_size", c_uint32),
+        ("reserved", c_uint32),
     ]
 
 
@@ -84,6 +93,8 @@ FUNCTIONS: dict[str, tuple[Any, tuple[Any, ...]]] = {
         POINTER(c_uint32))),
     "vbss_scene_move_surface": (c_int32, (POINTER(vbss_scene), c_uint32, POINTER(c_double),
         c_uint32)),
+    "vbss_scene_set_surface_compliance": (c_int32, (POINTER(vbss_scene), c_uint32,
+        POINTER(c_double), c_uint32)),
     "vbss_scene_get_surface_view": (c_int32, (POINTER(vbss_scene), c_uint32, c_int32,
         POINTER(vbss_view), c_uint32)),
 }

@@ -15,7 +15,8 @@ pub const VBSS_SCENE_SURFACE_VIEW_TARGETS: vbss_scene_surface_field = 2;
 /// Contact forces on the vertices at the end of the last step, friction included, N: vertex_count
 /// times x, y, z. Each contact force acts at a point of the middle of the wall, and the corners of
 /// the triangle or edge there share it by its barycentric coordinates. So the forces on the
-/// vertices have the sum and the torque of the contact forces at these points.
+/// vertices have the sum and the torque of the contact forces at these points. After a step of which
+/// the scene left out a part they are those of the step before.
 pub const VBSS_SCENE_SURFACE_VIEW_FORCES: vbss_scene_surface_field = 3;
 
 /// Configuration of a host surface. Fill it with vbss_scene_surface_config_init, then change fields.
@@ -50,6 +51,12 @@ pub struct vbss_scene_surface_config {
     /// 1e-6 to 1e3; default 20e-3: 20 m/s at steps of 1 ms. vbss_scene_move_surface refuses a longer
     /// one.
     pub jump_limit: f64,
+    /// Numbers with which the host states how far each vertex gives way to a force: 0 (default): none, all
+    /// vertices are exactly where the host says; 1: one compliance for all directions; 9: a symmetric matrix of
+    /// 3 x 3. Values are set by vbss_scene_set_surface_compliance, and are zero before.
+    pub compliance_size: u32,
+    /// Zero.
+    pub reserved: u32,
 }
 
 extern "C" {
@@ -65,7 +72,8 @@ extern "C" {
     /// static mesh that moves (vbss_scene_add_static_mesh): it touches neither itself nor static meshes nor
     /// other host surfaces, no node can be pinned to it, and no hole be made in it. A driven body and the
     /// surface do not press on each other, because both follow the host exactly: the guard holds both back.
-    /// A coupled tool presses on it. The call allocates all memory that steps need for the surface.
+    /// Vertices with a compliance (vbss_scene_set_surface_compliance) give way to it, and a coupled tool gives
+    /// way itself. The call allocates all memory that steps need for the surface.
     /// vbss_scene_get_rigid reports the sum of the contact forces on it.
     ///
     /// @param scene      the scene, of method VBSS_METHOD_IMPLICIT
@@ -100,6 +108,31 @@ extern "C" {
     /// @threads one thread at a time per context
     /// @since 1.0
     pub fn vbss_scene_move_surface(scene: *mut vbss_scene, body: u32, vertices: *const f64, vertex_count: u32) -> vbss_result;
+    /// Sets how far each vertex of a host surface gives way to a contact force: the scene finds contacts at the
+    /// position that the host has given plus compliance times force. So it solves for the force that the host's
+    /// model bears at the end of the step, and a light or soft surface stays stable
+    /// (docs/guides/host-surface.md). The best value is what a force that acts during the whole next step does to
+    /// the vertex in the host's model: h^2 / mass for a free particle, or the block of the inverse of the host's
+    /// system matrix. The host gives the positions that its vertices reach without contact force, and then applies
+    /// the returned forces during the same step. The vertices then end where VBSS_SCENE_SURFACE_VIEW_POSITIONS
+    /// says. Vertices that no contact touches stay where the host says. At most 1,024 vertices of a surface are
+    /// touched at a time, or the step returns VBSS_ERROR_CAPACITY.
+    ///
+    /// The call ends a suspended step. Snapshots save the compliance, and a log stores the state with each call.
+    ///
+    /// @param scene       the scene
+    /// @param body        a host surface that was added with compliance_size 1 or 9
+    /// @param compliance  vertex_count times compliance_size numbers, m/N: for each vertex a number, or the rows of a
+    /// symmetric, positive definite matrix of which no pivot is below 1e-6 of the largest number. The largest
+    /// number of a vertex is 1e-9 to 1e6; all zero: the vertex is exactly where the host says
+    /// @param count       number of these numbers
+    /// @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_NOT_FOUND (no such
+    /// body), VBSS_ERROR_INCOMPATIBLE (no host surface, or one of compliance_size 0),
+    /// VBSS_ERROR_NOT_FINITE, VBSS_ERROR_OUT_OF_RANGE, VBSS_ERROR_OUT_OF_MEMORY (only while a step is
+    /// suspended), VBSS_ERROR_CAPACITY (the record has no room) or VBSS_ERROR_BUSY
+    /// @threads one thread at a time per context
+    /// @since 1.0
+    pub fn vbss_scene_set_surface_compliance(scene: *mut vbss_scene, body: u32, compliance: *const f64, count: u32) -> vbss_result;
     /// Describes an array of a host surface without copying it.
     ///
     /// @param scene        the scene
