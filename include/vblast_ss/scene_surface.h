@@ -27,7 +27,7 @@ typedef struct vbss_scene_surface_config {
     uint32_t vertex_count;   /**< Number of vertices, 3 to 65536. */
     uint32_t triangle_count; /**< Number of triangles, 1 to 131072. */
     /** 0: bodies touch it from both sides (default). 1: only from the front, which is the side from
-     * which the corners of a triangle are counter-clockwise. What is behind at the start of a step is
+     * which the corners of a triangle are counter-clockwise. Bodies behind it at the start of a step are
      * left alone. Each edge of such a surface belongs to one triangle, or to two that list it in
      * opposite directions. */
     uint32_t one_sided;
@@ -104,9 +104,9 @@ static inline vbss_scene_surface_config vbss_scene_surface_config_default(void)
 }
 
 /**
- * Adds a host surface. It counts as one of the scene's rigid bodies (rigid_capacity), and behaves as a
- * static mesh that moves (#vbss_scene_add_static_mesh): it touches neither itself nor static meshes nor
- * other host surfaces, no node can be pinned to it, and no hole be made in it. A driven body and the
+ * Adds a host surface: a static mesh that moves (#vbss_scene_add_static_mesh). It counts as one of the
+ * scene's rigid bodies (rigid_capacity). It touches neither itself nor static meshes nor other host
+ * surfaces. No node can be pinned to it, and no hole be made in it. A driven body and the
  * surface do not press on each other, because both follow the host exactly: the guard holds both back.
  * Vertices with a compliance (#vbss_scene_set_surface_compliance) give way to it, and a coupled tool gives
  * way itself. The call allocates all memory that steps need for the surface.
@@ -156,8 +156,8 @@ VBSS_API vbss_result vbss_scene_move_surface(vbss_scene *scene, uint32_t body,
  * Sets how far each vertex of a host surface gives way to a contact force: the scene finds contacts at the
  * position that the host has given plus compliance times force. So it solves for the force that the host's
  * model bears at the end of the step, and a light or soft surface stays stable
- * (docs/guides/host-surface.md). The best value is what a force that acts during the whole next step does to
- * the vertex in the host's model: h^2 / mass for a free particle, or the block of the inverse of the host's
+ * (docs/guides/host-surface.md). The best value is the displacement in the host's model by a unit force that
+ * acts during the whole next step: h^2 / mass for a free particle, or the block of the inverse of the host's
  * system matrix. The host gives the positions that its vertices reach without contact force, and then applies
  * the returned forces during the same step. The vertices then end where #VBSS_SCENE_SURFACE_VIEW_POSITIONS
  * says. Vertices that no contact touches stay where the host says. At most 1,024 vertices of a surface are

@@ -17,7 +17,7 @@ static void begin(small *s)
 }
 
 /* A thread across the sheet, in contact. */
-static vbss_thread *lay_thread(small *s)
+static vbss_thread *add_resting_thread(small *s)
 {
     vbss_thread *thread;
     const double y = 0.5 * SURFACE_THICKNESS + s->thread.radius;
@@ -77,7 +77,7 @@ static double carried(double speed, double friction, double h)
     surface_make(&sheet, 12, 60e-3);
     sheet.config.friction = friction;
     surface_add(&s, &sheet);
-    vbss_thread *thread = lay_thread(&s);
+    vbss_thread *thread = add_resting_thread(&s);
     const double before = small_node(thread, 10).x;
     const uint32_t steps = (uint32_t)(0.1 / h + 0.5);
     for (uint32_t i = 1; i <= steps; i++) {
@@ -111,7 +111,7 @@ static void lifted_thread_presses_with_its_weight_and_inertia(void **state)
     begin(&s);
     surface_make(&sheet, 6, 60e-3);
     surface_add(&s, &sheet);
-    (void)lay_thread(&s);
+    (void)add_resting_thread(&s);
     small_steps(&s, 200, h);
     const double weight = surface_total(&s, &sheet).force.y;
     assert_true(weight < 0.0);
@@ -185,7 +185,7 @@ static void ride_the_wave(double friction)
     surface_make(&sheet, 11, 60e-3);
     sheet.config.friction = friction;
     surface_add(&s, &sheet);
-    (void)lay_thread(&s);
+    (void)add_resting_thread(&s);
     s.rigid.gravity[1] = -9.81;
     (void)small_stick(&s, VBSS_SCENE_RIGID_FREE, vec3_make(8e-3, 3e-3, 1e-3),
                       vec3_make(2e-3, 0.0, 7e-3), 1.5e-3);

@@ -72,7 +72,7 @@ static double force(const rig *r)
 
 /* ---- statics */
 
-static void vertices_give_way_by_compliance_times_force(void **state)
+static void vertices_are_deflected_by_compliance_times_force(void **state)
 {
     (void)state;
     rig r;
@@ -309,7 +309,7 @@ static void saved_compliance_goes_on_to_the_same_bits(void **state)
 int test_host_surface_compliance(void)
 {
     const struct CMUnitTest tests[] = {
-        harness_test(vertices_give_way_by_compliance_times_force),
+        harness_test(vertices_are_deflected_by_compliance_times_force),
         harness_test(matrix_of_compliance_couples_directions),
         harness_test(driven_tool_presses_on_a_compliant_surface),
         harness_test(weak_coupling_is_stable_where_the_closed_solution_is),

@@ -113,7 +113,7 @@ static vbss_result set_compliance(scene_object *s, scene_host_surface *h, const 
     for (uint32_t i = 0; i < h->vertex_count; i++) {
         const mat3 own = compliance_of(h, compliance, i);
         vbss_scene_set_vertex_compliance(h, i, &own);
-        if (!scene_gives_way(h, i)) {
+        if (!scene_has_compliance(h, i)) {
             h->deflections[i] = vec3_zero();
         }
     }

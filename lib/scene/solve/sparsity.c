@@ -298,7 +298,7 @@ static uint64_t mix_touched(uint64_t hash, const scene_host_surface *h)
 {
     hash = mix(hash, h->touched_count);
     for (uint32_t i = 0; i < h->touched_count; i++) {
-        hash = mix_two(hash, h->touched[i], scene_gives_way(h, h->touched[i]));
+        hash = mix_two(hash, h->touched[i], scene_has_compliance(h, h->touched[i]));
     }
     return hash;
 }

@@ -75,7 +75,7 @@ void vbss_scene_release_untouched_vertices(scene_object *s)
         scene_host_surface *h = scene_host_surface_of(&s->bodies[i]);
         for (uint32_t k = 0;
              scene_is_compliant(h) && !s->bodies[i].is_frozen && k < h->vertex_count; k++) {
-            if (scene_gives_way(h, k) && !is_touched(h, k)) {
+            if (scene_has_compliance(h, k) && !is_touched(h, k)) {
                 h->trial[k] = h->free_positions[k];
             }
         }
@@ -92,8 +92,8 @@ vbss_result vbss_scene_register_touched_vertices(scene_object *s, const scene_ri
     VBSS_TRY(vbss_system_add_chain(s->system, h->touched_count, &first));
     for (uint32_t i = 0; i < h->touched_count; i++) {
         vbss_system_set_role(s->system, first + i,
-                             scene_gives_way(h, h->touched[i]) ? VBSS_ROLE_SEPARATOR
-                                                               : VBSS_ROLE_PRESCRIBED);
+                             scene_has_compliance(h, h->touched[i]) ? VBSS_ROLE_SEPARATOR
+                                                                    : VBSS_ROLE_PRESCRIBED);
     }
     return VBSS_OK;
 }
@@ -105,7 +105,7 @@ void vbss_scene_assemble_surface(const scene_object *s, const scene_rigid *r)
     for (uint32_t i = 0; scene_is_compliant(h) && i < h->touched_count; i++) {
         const uint32_t vertex = h->touched[i];
         const vec3 deflection = vec3_sub(h->trial[vertex], h->free_positions[vertex]);
-        if (scene_gives_way(h, vertex)) {
+        if (scene_has_compliance(h, vertex)) {
             block_set(&s->system->diagonal[first + i], h->stiffness[vertex]);
             s->system->rhs[first + i] = vec3_neg(mat3_mul_vec3(h->stiffness[vertex], deflection));
         }
@@ -117,7 +117,7 @@ void vbss_scene_advance_surface(const scene_object *s, const scene_rigid *r)
     scene_host_surface *h = r->surface;
     const uint32_t first = scene_first_vertex_block(r);
     for (uint32_t i = 0; scene_is_compliant(h) && i < h->touched_count; i++) {
-        if (scene_gives_way(h, h->touched[i])) {
+        if (scene_has_compliance(h, h->touched[i])) {
             h->trial[h->touched[i]] =
                 vec3_add(h->trial[h->touched[i]], s->system->solution[first + i]);
         }

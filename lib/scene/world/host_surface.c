@@ -130,7 +130,7 @@ void vbss_scene_advance_host_surface(scene_host_surface *h, const scene_substep 
             end_fraction < 1.0 ? partway(h->start[i], h->end[i], end_fraction) : h->end[i];
         const vec3 rejected = h->trial[i];
         h->trial[i] = prescribed;
-        if (scene_gives_way(h, i)) {
+        if (scene_has_compliance(h, i)) {
             /* The forces of the last substep are the best guess. */
             h->free_positions[i] = prescribed;
             h->trial[i] = vec3_add(prescribed, h->deflections[i]);
@@ -157,7 +157,7 @@ static void record_deflections(scene_host_surface *h)
 {
     for (uint32_t i = 0; i < compliant_count(h); i++) {
         h->deflections[i] =
-            scene_gives_way(h, i) ? vec3_sub(h->trial[i], h->free_positions[i]) : vec3_zero();
+            scene_has_compliance(h, i) ? vec3_sub(h->trial[i], h->free_positions[i]) : vec3_zero();
     }
 }
 

@@ -83,7 +83,7 @@ static inline bool scene_is_compliant(const scene_host_surface *h)
 }
 
 /* Whether a vertex does. */
-static inline bool scene_gives_way(const scene_host_surface *h, uint32_t vertex)
+static inline bool scene_has_compliance(const scene_host_surface *h, uint32_t vertex)
 {
     return scene_is_compliant(h) && h->compliance[vertex].m[0][0] > 0.0;
 }

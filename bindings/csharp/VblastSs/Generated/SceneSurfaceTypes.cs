@@ -75,9 +75,9 @@ namespace VblastSs
 
         /// <summary>
         /// 0: bodies touch it from both sides (default). 1: only from the front, which is the side
-        /// from which the corners of a triangle are counter-clockwise. What is behind at the start
-        /// of a step is left alone. Each edge of such a surface belongs to one triangle, or to two
-        /// that list it in opposite directions.
+        /// from which the corners of a triangle are counter-clockwise. Bodies behind it at the
+        /// start of a step are left alone. Each edge of such a surface belongs to one triangle, or
+        /// to two that list it in opposite directions.
         /// </summary>
         public uint OneSided
         {
