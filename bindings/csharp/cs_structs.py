@@ -19,6 +19,8 @@ COUNTS = {
     ("vbss_scene_static_mesh_config", "triangles"): ("triangle_count", 3, 0),
     ("vbss_scene_height_field_config", "heights"): ("height_count", 1, 0),
     ("vbss_scene_distance_field_config", "distances"): ("distance_count", 1, 0),
+    ("vbss_scene_surface_config", "vertices"): ("vertex_count", 3, 0),
+    ("vbss_scene_surface_config", "triangles"): ("triangle_count", 3, 0),
     ("vbss_knot_input", "points"): ("point_count", 3, 0),
     ("vbss_knot_input", "tools"): ("tool_count", 1, 0),
     ("vbss_record_config", "note"): ("note_bytes", 1, 0),

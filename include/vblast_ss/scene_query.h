@@ -27,6 +27,7 @@ enum {
     VBSS_SCENE_BODY_GRASPER = 5,     /**< A grasper. */
     VBSS_SCENE_BODY_FLOOR = 6,       /**< The floor, body 0. */
     VBSS_SCENE_BODY_STATIC_MESH = 7, /**< A static mesh. */
+    VBSS_SCENE_BODY_SURFACE = 8,     /**< A host surface (scene_surface.h). */
     VBSS_SCENE_BODY_PLANE = 9        /**< A plane that the host added. */
 };
 

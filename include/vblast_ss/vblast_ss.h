@@ -29,6 +29,7 @@
 #include <vblast_ss/scene_event.h>
 #include <vblast_ss/scene_query.h>
 #include <vblast_ss/scene_settings.h>
+#include <vblast_ss/scene_surface.h>
 #include <vblast_ss/session.h>
 #include <vblast_ss/session_coaching.h>
 #include <vblast_ss/solver_options.h>

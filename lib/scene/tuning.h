@@ -304,6 +304,16 @@
 /* The same for one pair of the separators' factor.
  * Unit: blocks. Origin: fitted: 4 in a knot. Test: scene.matrix_capacity. */
 #define SCENE_MATRIX_PER_FACTOR_PAIR VBSS_TUNE(SCENE_MATRIX_PER_FACTOR_PAIR, 3u)
+/* Limits of the compliance of a vertex: its smallest and largest number unless all are zero, m/N, and the smallest pivot
+ * relative to the largest number.
+ * Unit: m/N; 1. Origin: chosen: from a thousandth of the contact's own compliance of 5e-6 to a gram at 1 kHz and far
+ * beyond; the pivot keeps the inverse accurate. Test: scene.host_surface_state. */
+#define SCENE_MIN_COMPLIANCE VBSS_TUNE(SCENE_MIN_COMPLIANCE, 1e-9)
+#define SCENE_MAX_COMPLIANCE VBSS_TUNE(SCENE_MAX_COMPLIANCE, 1e6)
+#define SCENE_MIN_COMPLIANCE_RATIO VBSS_TUNE(SCENE_MIN_COMPLIANCE_RATIO, 1e-6)
+/* Vertices of a compliant surface that contacts may touch at a time.
+ * Unit: vertices. Origin: chosen: a thread of 300 segments on a fine mesh. Test: none known. */
+#define SCENE_MAX_TOUCHED_VERTICES VBSS_TUNE(SCENE_MAX_TOUCHED_VERTICES, 1024u)
 /* Coupled pairs of blocks per node of a drain, with fill-in.
  * Unit: pairs. Origin: chosen. Test: none known. */
 #define SCENE_PAIRS_PER_DRAIN_NODE VBSS_TUNE(SCENE_PAIRS_PER_DRAIN_NODE, 128u)

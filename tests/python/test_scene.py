@@ -305,6 +305,25 @@ def test_planes_hold_a_thread(context):
         scene.add_plane((0, 0, 0))
 
 
+def test_a_host_surface_lifts_a_thread_and_returns_forces(context):
+    scene = vb.Scene(context)
+    corners = [(-0.05, 0, -0.05), (-0.05, 0, 0.05), (0.05, 0, 0.05), (0.05, 0, -0.05)]
+    surface = scene.add_surface(corners, [(0, 1, 2), (0, 2, 3)], friction=0.3, jump_limit=1e-3)
+    thread = vb.Thread(context, length=0.04, segment_count=20, start=(-0.02, 1e-3, 0), gravity=(0, -9.81, 0))
+    scene.add(thread)
+    for step in range(1, 101):
+        corners = [(x, 1e-5 * step, z) for x, _, z in corners]
+        scene.move_surface(surface, corners)
+        scene.step(1e-3)
+    forces = scene.surface(surface)
+    assert len(forces) == 4 and sum(force[1] for force in forces) < -1e-5
+    assert scene.surface(surface, vb.SceneSurfaceField.POSITIONS)[2][1] == pytest.approx(1e-3)
+    assert scene.body_info(surface).kind is vb.SceneBodyKind.SURFACE
+    assert all(position[1] > 0.5e-3 for position in thread.positions)
+    with pytest.raises(vb.Error):
+        scene.move_surface(surface, [(x, 0.1, z) for x, _, z in corners])
+
+
 def test_only_method_vblast_has_baseline_statistics():
     with vb.Scene(method="vblast") as scene:
         thread = vb.Thread(scene.context, method="vblast", length=0.1, segment_count=20)

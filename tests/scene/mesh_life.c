@@ -1,5 +1,7 @@
 #include "scene/mesh_life.h"
 
+#include <vblast_ss/scene_surface.h>
+
 enum {
     CELLS = 4,
     ROW = CELLS + 1,
@@ -17,6 +19,9 @@ typedef struct life {
     vbss_thread *thread;
     uint32_t tool;
     uint32_t mesh;
+    bool moves;              /* the mesh is a host surface */
+    vec3 travel, turn, bend; /* velocity, m/s; angular velocity, rad/s; amplitude of a wave, m */
+    double x[MAX_VERTICES][3];
     mesh_life_result *result;
 } life;
 
@@ -94,7 +99,50 @@ static void add_mesh(life *l)
     l->config.friction = draw(l, 0.0, 0.6);
     /* Bodies may go round the edge of a sheet and come from behind; so only closed meshes have one side. */
     l->config.one_sided = is_closed ? vbss_random_below(l->random, 2) : 0;
-    expect_ok(vbss_scene_add_static_mesh(l->s.scene, &l->config, &l->mesh));
+    if (!l->moves) {
+        expect_ok(vbss_scene_add_static_mesh(l->s.scene, &l->config, &l->mesh));
+        return;
+    }
+    vbss_scene_surface_config surface = vbss_scene_surface_config_default();
+    surface.vertex_count = l->config.vertex_count;
+    surface.triangle_count = l->config.triangle_count;
+    surface.vertices = l->config.vertices;
+    surface.triangles = l->config.triangles;
+    surface.thickness = l->config.thickness;
+    surface.friction = l->config.friction;
+    surface.one_sided = l->config.one_sided;
+    expect_ok(vbss_scene_add_surface(l->s.scene, &surface, &l->mesh));
+    memcpy(l->x, l->vertices, sizeof l->x);
+}
+
+/* The scene refuses a move that inverts a triangle; then the surface rests in this step. */
+static void move_mesh(life *l, uint32_t step)
+{
+    double x[MAX_VERTICES][3], fastest = 0.0;
+    const double h = 1e-3, phase = 40.0 * h * step;
+    if (step % 15 == 0) { /* back and forth about the origin */
+        const vec3 to = vec3_sub(draw_vec3(l, -5e-3, 5e-3), vec3_load(l->x[0]));
+        l->travel = vec3_scale(vec3_unit_or(to, vec3_zero()), pow(10.0, draw(l, -1.0, 1.0)));
+        l->turn = draw_vec3(l, -120.0, 120.0);
+        l->bend = draw_vec3(l, -0.3e-3, 0.3e-3);
+    }
+    for (uint32_t i = 0; i < l->config.vertex_count; i++) {
+        const vec3 at = vec3_load(l->x[i]), arm = vec3_sub(at, vec3_load(l->x[0]));
+        const vec3 velocity = vec3_add(l->travel, vec3_cross(l->turn, arm));
+        const vec3 wave = vec3_scale(l->bend, cos(phase + (double)i));
+        const vec3 step_of = vec3_add_scaled(wave, h, velocity);
+        vec3_store(x[i], vec3_add(at, step_of));
+        fastest = fmax(fastest, vec3_norm(step_of) / h);
+    }
+    const vbss_result moved =
+        vbss_scene_move_surface(l->s.scene, l->mesh, x[0], l->config.vertex_count);
+    if (moved == VBSS_OK) {
+        memcpy(l->x, x, sizeof l->x);
+        l->result->moves++;
+        l->result->fastest_vertex = fmax(l->result->fastest_vertex, fastest);
+    } else {
+        assert_int_equal(moved, VBSS_ERROR_OUT_OF_RANGE);
+    }
 }
 
 /* ---- what passes */
@@ -110,10 +158,10 @@ static void watch(void *watcher, const scene_object *s)
         if (b->kind == SCENE_BODY_THREAD) {
             const thread_object *t = b->thread.thread;
             chains[count++] = (passing_chain){t->now.x, t->trial, t->node_count, false};
-        } else if (scene_is_static_mesh(b)) {
+        } else if (scene_is_mesh(b)) {
             const collision_shape *shape = s->collision->shapes[b->shape];
-            surface = (passing_surface){.start = shape->start,
-                                        .end = shape->start,
+            surface = (passing_surface){.start = scene_mesh_vertices(s, b),
+                                        .end = scene_mesh_trial_vertices(s, b),
                                         .nodes = shape->node_count,
                                         .triangles = shape->triangles[0],
                                         .sides = shape->edges[0],
@@ -171,12 +219,13 @@ static void throw_thread(life *l)
     expect_ok(vbss_thread_set_state(l->thread, NULL, velocities[0], SEGMENTS + 1));
 }
 
-vbss_result mesh_life_run(vbss_random *random, uint32_t steps, mesh_life_result *result)
+vbss_result mesh_life_run(vbss_random *random, uint32_t steps, bool moves, mesh_life_result *result)
 {
     static life l;
     memset(&l, 0, sizeof l);
     l.random = random;
     l.result = result;
+    l.moves = moves;
     begin(&l);
     vec3 target = vec3_make(0.0, 25e-3, 0.0), place = target;
     double speed = 0.0;
@@ -193,6 +242,9 @@ vbss_result mesh_life_run(vbss_random *random, uint32_t steps, mesh_life_result 
         place = vec3_add_scaled(place, fmin(speed * 1e-3, vec3_norm(to_target)),
                                 vec3_unit_or(to_target, vec3_zero()));
         small_move(&l.s, l.tool, place);
+        if (moves) {
+            move_mesh(&l, i);
+        }
         done = vbss_scene_step(l.s.scene, 1e-3);
         result->steps++;
         result->touched += vec3_norm(vec3_load(small_rigid(&l.s, l.mesh).contact_force)) > 0.0;

@@ -78,6 +78,31 @@ namespace VblastSs
             return Joined(grasper, body);
         }
 
+        /// <summary>Positions of the vertices of a host surface at the end of the next step, m.</summary>
+        public void MoveSurface(uint body, ReadOnlySpan<Vector3d> vertices)
+        {
+            fixed (Vector3d* first = vertices)
+            {
+                Context.Check(Native.vbss_scene_move_surface(Handle, body, (double*)first, (uint)vertices.Length));
+            }
+        }
+
+        /// <summary>How far each vertex of a host surface gives way to a force, m/N: a number, or a matrix of 3 x 3.</summary>
+        public void SetSurfaceCompliance(uint body, ReadOnlySpan<double> compliance)
+        {
+            fixed (double* first = compliance)
+            {
+                Context.Check(Native.vbss_scene_set_surface_compliance(Handle, body, first, (uint)compliance.Length));
+            }
+        }
+
+        /// <summary>An array of a host surface, in place.</summary>
+        public View ViewOfSurface(uint body, SceneSurfaceField field)
+        {
+            return new View(this, (int)field, false, (handle, number, view, size) =>
+                Native.vbss_scene_get_surface_view(handle, body, (SceneSurfaceField)number, view, size));
+        }
+
         /// <summary>Removes a body by its number, with its pins and grasps.</summary>
         public void Remove(uint body)
         {

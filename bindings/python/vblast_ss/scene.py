@@ -16,6 +16,7 @@ from ._api.grasper import vbss_grasper
 from ._api.needle import vbss_needle
 from ._api.scene_event import SceneEventFlagBits, SceneEventKind, vbss_scene_event
 from ._api.scene_query import SceneBodyInfo, SceneBodyKind, SceneNearest, SceneRayHit, vbss_scene_body_info, vbss_scene_nearest, vbss_scene_ray_hit
+from ._api.scene_surface import SceneSurfaceField, vbss_scene_surface_config
 from ._api.thread import vbss_thread
 from ._library import lib
 from ._objects import Configured, Object, Saved, Viewed, context_or_new, created
@@ -26,10 +27,10 @@ from .errors import NotFoundError
 from .grasper import Grasper
 from .needle import Needle
 from .thread import Thread
-from .views import Array
+from .views import Array, array_of, empty_view
 
 __all__ = ["BaselineStatistics", "SceneBlocker", "SceneBlockerCause", "SceneBodyInfo", "SceneBodyKind", "Capsule", "Contact", "SceneContactKind", "Event", "SceneEventKind", "SceneGrasp", "SceneHole", "Method",
-           "SceneNearest", "SceneOverlap", "SceneOverlapPolicy", "SceneRayHit", "SceneRigidKind", "SceneRigidState", "Scene", "SceneField", "SceneMode", "SceneStatistics"]
+           "SceneNearest", "SceneOverlap", "SceneOverlapPolicy", "SceneRayHit", "SceneRigidKind", "SceneRigidState", "Scene", "SceneField", "SceneMode", "SceneStatistics", "SceneSurfaceField"]
 
 Body = Union[Thread, Drain, Needle, Grasper]
 S = TypeVar("S", bound="Scene")
@@ -209,6 +210,37 @@ class Scene(Configured, Viewed, Saved):
         number = ctypes.c_uint32()
         self._call(lib.vbss_scene_add_plane, ctypes.byref(config), ctypes.byref(number))
         return number.value
+
+    def add_surface(self, vertices: Any, triangles: Any, **settings: Any) -> int:
+        """Adds a mesh whose vertices the host moves; returns its number. `vertices` (n x 3, m), `triangles` (m x 3
+        vertices); keywords as in vbss_scene_surface_config: friction, thickness, one_sided, jump_limit,
+        compliance_size."""
+        points = doubles(vertices, "vertices", row=3)
+        corners = numbers(triangles, ctypes.c_uint32, "triangles", row=3)
+        config = initialised(vbss_scene_surface_config, lib.vbss_scene_surface_config_init, settings, "a host surface")
+        config.vertex_count, config.vertices = len(points) // 3, points
+        config.triangle_count, config.triangles = len(corners) // 3, corners
+        number = ctypes.c_uint32()
+        self._call(lib.vbss_scene_add_surface, ctypes.byref(config), ctypes.byref(number))
+        return number.value
+
+    def move_surface(self, body: int, vertices: Any) -> None:
+        """Positions of the vertices of a host surface at the end of the next step (n x 3, m)."""
+        points = doubles(vertices, "vertices", row=3)
+        self._call(lib.vbss_scene_move_surface, index(body), points, len(points) // 3)
+
+    def set_surface_compliance(self, body: int, compliance: Any) -> None:
+        """How far each vertex of a host surface gives way to a force, m/N: a number for each vertex, or the nine numbers
+        of a symmetric matrix, as compliance_size was when it was added."""
+        values = doubles(compliance, "compliance")
+        self._call(lib.vbss_scene_set_surface_compliance, index(body), values, len(values))
+
+    def surface(self, body: int, field: SceneSurfaceField = SceneSurfaceField.FORCES) -> Array:
+        """One of the arrays of a host surface, n x 3: SceneSurfaceField says what each has."""
+        view, size = empty_view()
+        with self._context._lock:  # nothing is given back between the two
+            self._call(lib.vbss_scene_get_surface_view, index(body), int(SceneSurfaceField(field)), ctypes.byref(view), size)
+            return array_of(self._context._memory, view)
 
     def remove(self, body: int) -> None:
         """Removes a body, with its pins and grasps; what was added is the caller's again."""

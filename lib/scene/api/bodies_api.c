@@ -52,6 +52,7 @@ static void describe_rigid(const scene_rigid *r, vbss_scene_body_info *info)
                  : r->grasper != NULL ? VBSS_SCENE_BODY_GRASPER
                  : r->is_static_mesh  ? VBSS_SCENE_BODY_STATIC_MESH
                  : r->is_plane        ? VBSS_SCENE_BODY_PLANE
+                 : r->surface != NULL ? VBSS_SCENE_BODY_SURFACE
                                       : VBSS_SCENE_BODY_RIGID;
     info->motion = r->kind;
     info->friction = r->friction;

@@ -150,7 +150,7 @@ static void free_object(vbss_context *context, void *object)
             vbss_scene_disown_needle(&s->bodies[i]);
         } else if (s->bodies[i].kind == SCENE_BODY_DRAIN) {
             vbss_scene_disown_drain(s, &s->bodies[i]);
-        } else if (scene_is_static_mesh(&s->bodies[i])) {
+        } else if (scene_is_mesh(&s->bodies[i])) {
             vbss_scene_release_static_mesh(s, &s->bodies[i]);
         } else if (s->bodies[i].is_reserved) {
             vbss_scene_return_spare(&s->bodies[i]);

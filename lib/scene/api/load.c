@@ -349,39 +349,78 @@ static vbss_result load_rigid(scene_loader *l, const scene_body_description *d)
     return vbss_scene_place_rigid(s, &rigid, b, &number);
 }
 
-/* Reads the arrays of a static mesh and places it. */
+/* Vertices and triangles of a mesh, read from its record. */
+typedef struct mesh_arrays {
+    double *vertices;
+    uint32_t *triangles;
+    vbss_array table[2];
+} mesh_arrays;
+
+/* Reads them. On success the caller releases the table. */
+static vbss_result read_mesh_arrays(scene_loader *l, const scene_static_mesh_description *m,
+                                    mesh_arrays *x)
+{
+    if (m->vertex_count > SCENE_MAX_MESH_VERTICES || m->triangle_count > SCENE_MAX_MESH_TRIANGLES) {
+        return refuse(l, "no mesh has such counts");
+    }
+    x->table[0] = (vbss_array){&x->vertices, 3 * (size_t)m->vertex_count, sizeof *x->vertices};
+    x->table[1] = (vbss_array){&x->triangles, 3 * (size_t)m->triangle_count, sizeof *x->triangles};
+    VBSS_TRY(vbss_allocate_arrays(l->s->context, x->table, 2, "mesh"));
+    vbss_scene_visit_described_static_mesh(&l->stream, m, x->vertices, x->triangles);
+    const vbss_result result = check_stream(l);
+    if (result != VBSS_OK) {
+        vbss_release_arrays(l->s->context, x->table, 2);
+    }
+    return result;
+}
+
 static vbss_result load_static_mesh(scene_loader *l, const scene_body_description *d)
 {
     const scene_static_mesh_description *m = &d->static_mesh;
-    double *vertices = NULL;
-    uint32_t *triangles = NULL, number;
+    mesh_arrays x;
+    uint32_t number;
     scene_body *b;
-    if (m->vertex_count > SCENE_MAX_MESH_VERTICES || m->triangle_count > SCENE_MAX_MESH_TRIANGLES) {
-        return refuse(l, "no static mesh has such counts");
-    }
     VBSS_TRY(claim_place(l, d, SCENE_BODY_RIGID, &b));
-    const vbss_array table[] = {{&vertices, 3 * (size_t)m->vertex_count, sizeof *vertices},
-                                {&triangles, 3 * (size_t)m->triangle_count, sizeof *triangles}};
-    vbss_result result = vbss_allocate_arrays(l->s->context, table, 2, "static mesh");
-    if (result == VBSS_OK) {
-        vbss_scene_visit_described_static_mesh(&l->stream, m, vertices, triangles);
-        result = check_stream(l);
-    }
+    VBSS_TRY(read_mesh_arrays(l, m, &x));
     vbss_scene_static_mesh_config config = vbss_scene_static_mesh_config_default();
     config.vertex_count = m->vertex_count;
     config.triangle_count = m->triangle_count;
     config.one_sided = m->one_sided;
-    config.vertices = vertices;
-    config.triangles = triangles;
+    config.vertices = x.vertices;
+    config.triangles = x.triangles;
     config.friction = m->friction;
     config.thickness = m->thickness;
-    if (result == VBSS_OK) {
-        result = check_created(l, vbss_scene_check_static_mesh(l->s->context, &config));
-    }
+    vbss_result result = check_created(l, vbss_scene_check_static_mesh(l->s->context, &config));
     if (result == VBSS_OK) {
         result = vbss_scene_place_static_mesh(l->s, &config, b, &number);
     }
-    vbss_release_arrays(l->s->context, table, 2);
+    vbss_release_arrays(l->s->context, x.table, 2);
+    return result;
+}
+
+static vbss_result load_host_surface(scene_loader *l, const scene_body_description *d)
+{
+    const scene_static_mesh_description *m = &d->host_surface.mesh;
+    mesh_arrays x;
+    uint32_t number;
+    scene_body *b;
+    VBSS_TRY(claim_place(l, d, SCENE_BODY_RIGID, &b));
+    VBSS_TRY(read_mesh_arrays(l, m, &x));
+    vbss_scene_surface_config config = vbss_scene_surface_config_default();
+    config.vertex_count = m->vertex_count;
+    config.triangle_count = m->triangle_count;
+    config.one_sided = m->one_sided;
+    config.vertices = x.vertices;
+    config.triangles = x.triangles;
+    config.friction = m->friction;
+    config.thickness = m->thickness;
+    config.jump_limit = d->host_surface.jump_limit;
+    config.compliance_size = d->host_surface.compliance_size;
+    vbss_result result = check_created(l, vbss_scene_check_host_surface(l->s->context, &config));
+    if (result == VBSS_OK) {
+        result = vbss_scene_place_host_surface(l->s, &config, b, &number);
+    }
+    vbss_release_arrays(l->s->context, x.table, 2);
     return result;
 }
 
@@ -448,6 +487,8 @@ static vbss_result load_body(scene_loader *l)
         return load_static_mesh(l, &d);
     case SCENE_DESCRIBED_PLANE:
         return load_plane(l, &d);
+    case SCENE_DESCRIBED_HOST_SURFACE:
+        return load_host_surface(l, &d);
     default: /* SCENE_DESCRIBED_RIGID */
         return load_rigid(l, &d);
     }

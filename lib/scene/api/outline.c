@@ -1,5 +1,6 @@
 /* Line segments of bodies, in the scene or about to be added. */
 #include "scene/api/overlap.h"
+#include "scene/world/world.h"
 
 scene_surface vbss_scene_surface_of_drain(const drain_object *d)
 {
@@ -10,7 +11,7 @@ scene_surface vbss_scene_surface_of_drain(const drain_object *d)
 static scene_surface surface_of_mesh(const scene_object *s, const scene_body *b)
 {
     const collision_shape *shape = s->collision->shapes[b->shape];
-    return (scene_surface){shape->start, (const uint32_t(*)[3])shape->triangles,
+    return (scene_surface){scene_mesh_vertices(s, b), (const uint32_t(*)[3])shape->triangles,
                            shape->triangle_count, shape->radius};
 }
 
@@ -25,7 +26,7 @@ scene_outline vbss_scene_outline_of(const scene_object *s, const scene_body *b)
         o.surface = vbss_scene_surface_of_drain(b->drain.drain);
         break;
     default:
-        if (b->rigid.is_static_mesh) {
+        if (scene_is_mesh(b)) {
             o.surface = surface_of_mesh(s, b);
         } else if (b->rigid.is_plane) {
             o.plane = &b->rigid.plane;

@@ -4,6 +4,8 @@
 #ifndef VBSS_SCENE_PLACE_H
 #define VBSS_SCENE_PLACE_H
 
+#include <vblast_ss/scene_surface.h>
+
 #include "scene/snapshot/describe.h"
 #include "scene/world/scene_data.h"
 
@@ -69,6 +71,14 @@ vbss_result vbss_scene_place_plane(scene_object *s, const scene_plane_descriptio
 
 /* Whether the numbers of a plane are those of one that a host can add. */
 bool vbss_scene_is_plane_valid(const scene_plane_description *plane);
+
+/* Places a host surface, likewise. */
+vbss_result vbss_scene_place_host_surface(scene_object *s, const vbss_scene_surface_config *config,
+                                          scene_body *b, uint32_t *body);
+
+/* Checks the configuration of a host surface, and sets the error text. */
+vbss_result vbss_scene_check_host_surface(vbss_context *context,
+                                          const vbss_scene_surface_config *config);
 
 /* Checks the configuration of a static mesh, and sets the error text. */
 vbss_result vbss_scene_check_static_mesh(vbss_context *context,

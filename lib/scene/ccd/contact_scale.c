@@ -61,7 +61,7 @@ double vbss_scene_contact_scale_of_pair(const scene_object *s, const collision_c
 {
     const scene_body *a = &s->bodies[s->body_of_shape[q->shape_a]];
     const scene_body *b = &s->bodies[s->body_of_shape[q->shape_b]];
-    if (scene_is_static_mesh(a) || scene_is_static_mesh(b)) {
+    if (scene_is_mesh(a) || scene_is_mesh(b)) {
         return vbss_scene_is_behind_mesh(s, q) ? 0.0 : 1.0;
     }
     if (a->kind == SCENE_BODY_DRAIN || b->kind == SCENE_BODY_DRAIN) {

@@ -18,6 +18,10 @@ static vertex_motion vertex_motion_of(scene_object *s, const scene_body *b)
         const drain_object *d = b->drain.drain;
         return (vertex_motion){d->mesh.node_count, d->x, b->drain.expected_displacements, d->trial};
     }
+    const scene_host_surface *h = scene_host_surface_of(b);
+    if (h != NULL) {
+        return (vertex_motion){h->vertex_count, h->now, h->expected_displacements, h->trial};
+    }
     const scene_rigid *r = &b->rigid;
     uint32_t count = 2 * r->capsule_count;
     vec3 *start = s->scratch.vertices, *end = start + count;

@@ -59,6 +59,9 @@ static void truncate_rigid(scene_object *s, scene_rigid *r, double fraction)
         r->trial.orientation = quat_unit(quat_mul(
             vbss_quat_from_rotation_vector(vec3_scale(rotation, fraction)), start.orientation));
     }
+    if (r->surface != NULL) {
+        vbss_scene_truncate_host_surface(r->surface, fraction);
+    }
     for (uint32_t c = 0; c < r->capsule_count; c++) {
         scene_capsule *capsule = &s->capsules[r->first_capsule + c];
         for (int k = 0; k < 2; k++) {
@@ -226,6 +229,7 @@ double vbss_scene_truncate_substep(scene_object *s, scene_substep_outcome outcom
         }
     }
     vbss_scene_commit_capsules(s);
+    vbss_scene_commit_host_surfaces(s, false);
     vbss_scene_advance_holes(s);
     s->report.statistics.parts++;
     s->report.statistics.clamped++;

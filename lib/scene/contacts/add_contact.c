@@ -5,9 +5,25 @@
 
 #include <string.h>
 
+/* Whether some vertex of a feature of a host surface does. */
+static bool has_compliant_vertex(const scene_object *s, const scene_body *b, uint32_t kind,
+                                 bool is_b, uint32_t feature)
+{
+    uint32_t nodes[3];
+    const uint32_t count = vbss_scene_surface_feature_nodes(s, b, kind, is_b, feature, nodes);
+    bool is_any_compliant = false;
+    for (uint32_t k = 0; k < count; k++) {
+        is_any_compliant = is_any_compliant || scene_has_compliance(b->rigid.surface, nodes[k]);
+    }
+    return is_any_compliant;
+}
+
 static bool is_feature_prescribed(const scene_object *s, const scene_body *b, uint32_t kind,
                                   bool is_b, uint32_t feature)
 {
+    if (b != NULL && !b->is_frozen && scene_is_compliant(scene_host_surface_of(b))) {
+        return !has_compliant_vertex(s, b, kind, is_b, feature);
+    }
     if (b == NULL || b->is_frozen || b->kind == SCENE_BODY_RIGID) {
         return scene_is_prescribed(b);
     }

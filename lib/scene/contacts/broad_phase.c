@@ -20,6 +20,12 @@ static vbss_result sweep_shape(scene_object *s, const scene_body *b)
         displacements = b->drain.expected_displacements;
         start = b->drain.vertices;
         memcpy(start, b->drain.drain->x, count * sizeof *start);
+    } else if (scene_host_surface_of(b) != NULL) {
+        const scene_host_surface *h = scene_host_surface_of(b);
+        count = h->vertex_count;
+        displacements = h->expected_displacements;
+        start = h->swept;
+        memcpy(start, h->now, count * sizeof *start);
     } else {
         const scene_rigid *r = &b->rigid;
         count = 2 * r->capsule_count;

@@ -12,7 +12,7 @@ static inline double scene_feature_radius(const scene_object *s, const collision
 {
     const uint32_t shape = is_b ? q->shape_b : q->shape_a, feature = is_b ? q->b : q->a;
     const scene_body *b = &s->bodies[s->body_of_shape[shape]];
-    if (b->kind == SCENE_BODY_RIGID && !b->rigid.is_static_mesh) {
+    if (b->kind == SCENE_BODY_RIGID && !scene_is_mesh(b)) {
         bool is_point = q->kind == VBSS_COLLISION_PAIR_POINT_TRIANGLE; /* a capsule end */
         return s->capsules[b->rigid.first_capsule + (is_point ? feature / 2 : feature)].radius;
     }
@@ -104,15 +104,15 @@ bool vbss_scene_next_axis_interval(const scene_object *s, const scene_body *need
 
 /* ---- mesh_contacts.c */
 
-/* Whether one feature of a pair belongs to a one-sided static mesh, and the other feature is behind it at
+/* Whether one feature of a pair belongs to a one-sided mesh, and the other feature is behind it at
  * the start of the substep. Such a pair does not collide. */
 bool vbss_scene_is_behind_mesh(const scene_object *s, const collision_candidate *q);
 
-/* Normal of a contact with the edge of a static mesh. `separation`: from the point at fraction `at` of the edge to
- * the closest point of the other body. If that body is over a triangle beside the edge, and not below its
+/* Normal of a contact with the edge of a mesh whose vertices are at `x`. `separation`: from the point at fraction
+ * `at` of the edge to the closest point of the other body. If that body is over a triangle beside the edge, and not below its
  * plane, the triangle's normal, otherwise the direction of the separation; zero if there is none. */
-vec3 vbss_scene_mesh_normal(const scene_object *s, const scene_body *mesh, uint32_t edge, double at,
-                            double contact_distance, vec3 separation);
+vec3 vbss_scene_mesh_normal(const scene_object *s, const scene_body *mesh, const vec3 *x,
+                            uint32_t edge, double at, double contact_distance, vec3 separation);
 
 /* ---- motion_bounds.c */
 

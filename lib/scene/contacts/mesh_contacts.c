@@ -1,4 +1,4 @@
-/* Static meshes: directions in which their edges push, and which features are behind a one-sided mesh.
+/* Static meshes and host surfaces: directions in which their edges push, and which features are behind a one-sided mesh.
  *
  * An edge ahead of a thread that slides over level triangles is at a slant to it. A contact along the slant would brake
  * the thread. It acts along the normal of the triangle instead, unless the thread is below the plane of the
@@ -11,17 +11,19 @@
 typedef struct mesh_view {
     const collision_shape *shape;
     const scene_static_mesh *mesh;
+    const vec3 *x;     /* positions of the vertices, m */
+    const vec3 *x_end; /* at the end of the motion; NULL: they do not move */
 } mesh_view;
 
-static mesh_view view_of(const scene_object *s, const scene_body *b)
+static mesh_view view_of(const scene_object *s, const scene_body *b, const vec3 *x)
 {
-    return (mesh_view){s->collision->shapes[b->shape], &b->rigid.mesh};
+    return (mesh_view){s->collision->shapes[b->shape], &b->rigid.mesh, x, NULL};
 }
 
 /* Normal of a triangle; its length is twice the area. */
 static vec3 area_normal(const mesh_view *v, uint32_t triangle)
 {
-    const vec3 *x = v->shape->start;
+    const vec3 *x = v->x;
     const uint32_t *n = v->shape->triangles[triangle];
     return vec3_cross(vec3_sub(x[n[1]], x[n[0]]), vec3_sub(x[n[2]], x[n[0]]));
 }
@@ -49,7 +51,7 @@ static vec3 normal_inside_edge(const mesh_view *v, uint32_t number, double small
                                vec3 separation)
 {
     const uint32_t *edge = v->shape->edges[number], *beside = v->mesh->triangles_of_edge[number];
-    const vec3 *x = v->shape->start, along = vec3_sub(x[edge[1]], x[edge[0]]);
+    const vec3 *x = v->x, along = vec3_sub(x[edge[1]], x[edge[0]]);
     nearest_plane nearest = {separation, (double)INFINITY, smallest};
     for (uint32_t i = 0; i < 2 && beside[i] != SCENE_NO_FACE; i++) {
         const uint32_t *n = v->shape->triangles[beside[i]];
@@ -66,7 +68,7 @@ static vec3 normal_inside_edge(const mesh_view *v, uint32_t number, double small
 /* Sides of a triangle from one of its corners, in the order of the triangle. */
 static void get_sides_at(const mesh_view *v, uint32_t triangle, uint32_t vertex, vec3 sides[2])
 {
-    const vec3 *x = v->shape->start;
+    const vec3 *x = v->x;
     const uint32_t *n = v->shape->triangles[triangle];
     const uint32_t corner = n[0] == vertex ? 0 : n[1] == vertex ? 1 : 2;
     sides[0] = vec3_sub(x[n[(corner + 1) % 3]], x[vertex]);
@@ -99,11 +101,11 @@ static vec3 normal_at_vertex(const mesh_view *v, uint32_t vertex, double smalles
                                                : vec3_add_scaled(separation, -ahead, ridge);
 }
 
-vec3 vbss_scene_mesh_normal(const scene_object *s, const scene_body *mesh, uint32_t edge, double at,
-                            double contact_distance, vec3 separation)
+vec3 vbss_scene_mesh_normal(const scene_object *s, const scene_body *mesh, const vec3 *x,
+                            uint32_t edge, double at, double contact_distance, vec3 separation)
 {
     const double smallest = (1.0 - SCENE_PLANE_TOLERANCE) * contact_distance;
-    const mesh_view v = view_of(s, mesh);
+    const mesh_view v = view_of(s, mesh, x);
     const vec3 direction =
         at > 0.0 && at < 1.0
             ? normal_inside_edge(&v, edge, smallest, separation)
@@ -116,7 +118,62 @@ vec3 vbss_scene_mesh_normal(const scene_object *s, const scene_body *mesh, uint3
 static double height_over(const mesh_view *v, uint32_t triangle, vec3 point)
 {
     return vec3_dot(area_normal(v, triangle),
-                    vec3_sub(point, v->shape->start[v->shape->triangles[triangle][0]]));
+                    vec3_sub(point, v->x[v->shape->triangles[triangle][0]]));
+}
+
+/* A point, or one end of a segment or triangle, that moves along a straight line, m. */
+typedef struct moving_point {
+    vec3 start, end;
+} moving_point;
+
+/* Bernstein coefficients of the height of a point over a moving triangle, a cubic polynomial of time, times twice
+ * the area. */
+static void moving_height(const mesh_view *v, uint32_t triangle, moving_point p, double c[4])
+{
+    const uint32_t *n = v->shape->triangles[triangle];
+    const vec3 *x = v->x, *y = v->x_end;
+    const vec3 a[2] = {vec3_sub(x[n[1]], x[n[0]]), vec3_sub(y[n[1]], y[n[0]])};
+    const vec3 b[2] = {vec3_sub(x[n[2]], x[n[0]]), vec3_sub(y[n[2]], y[n[0]])};
+    const vec3 d[2] = {vec3_sub(p.start, x[n[0]]), vec3_sub(p.end, y[n[0]])};
+    for (int k = 0; k < 4; k++) {
+        c[k] = 0.0;
+    }
+    for (int i = 0; i < 8; i++) {
+        const int late[3] = {i & 1, i >> 1 & 1, i >> 2 & 1}, order = late[0] + late[1] + late[2];
+        const double weight = order == 0 || order == 3 ? 1.0 : 1.0 / 3.0;
+        c[order] += weight * vec3_dot(vec3_cross(a[late[0]], b[late[1]]), d[late[2]]);
+    }
+}
+
+/* Whether points that start behind a triangle come to its front once at most, all in the same part of the motion:
+ * their heights change sign together. Otherwise the plane of a moving triangle may pass a point twice, and the
+ * triangle itself the second time, from the front. */
+static bool do_come_from_behind(const mesh_view *v, uint32_t triangle, const moving_point *points,
+                                int count)
+{
+    bool are_in_front = false;
+    double c[3][4];
+    for (int i = 0; v->x_end != NULL && i < count; i++) {
+        moving_height(v, triangle, points[i], c[i]);
+    }
+    for (int k = 0; v->x_end != NULL && k < 4; k++) {
+        const bool first = c[0][k] >= 0.0;
+        for (int i = 0; i < count; i++) {
+            if ((c[i][k] >= 0.0) != first) {
+                return false;
+            }
+        }
+        if (are_in_front && !first) {
+            return false;
+        }
+        are_in_front = first;
+    }
+    return true;
+}
+
+static moving_point point_of(const collision_shape *shape, uint32_t vertex)
+{
+    return (moving_point){shape->start[vertex], shape->end[vertex]};
 }
 
 /* One or two triangles at an edge, as a wedge. */
@@ -135,36 +192,38 @@ static wedge wedge_at(const mesh_view *v, uint32_t number)
     for (int k = 0; k < 3 && w.count == 2; k++) {
         const uint32_t corner = v->shape->triangles[w.triangles[1]][k];
         if (corner != edge[0] && corner != edge[1]) {
-            w.is_convex = height_over(v, w.triangles[0], v->shape->start[corner]) <= 0.0;
+            w.is_convex = height_over(v, w.triangles[0], v->x[corner]) <= 0.0;
         }
     }
     return w;
 }
 
 /* Whether both ends are behind the same triangle of a concave wedge, or behind both of a convex one. Then a part
- * of the segment that meets the edge in a straight motion comes from behind. */
-static bool is_behind_wedge(const wedge *w, const vec3 segment[2])
+ * of the segment that meets the edge in a straight motion comes from behind. A wedge that moves may change from
+ * one kind to the other, so both ends must be behind both of its triangles. */
+static bool is_behind_wedge(const wedge *w, const moving_point segment[2])
 {
     bool behind_all = true, behind_one = false;
     for (uint32_t i = 0; i < w->count; i++) {
-        const bool behind = height_over(w->view, w->triangles[i], segment[0]) < 0.0 &&
-                            height_over(w->view, w->triangles[i], segment[1]) < 0.0;
+        const bool behind = height_over(w->view, w->triangles[i], segment[0].start) < 0.0 &&
+                            height_over(w->view, w->triangles[i], segment[1].start) < 0.0 &&
+                            do_come_from_behind(w->view, w->triangles[i], segment, 2);
         behind_all = behind_all && behind;
         behind_one = behind_one || behind;
     }
-    return w->is_convex ? behind_all : behind_one;
+    return w->is_convex || w->view->x_end != NULL ? behind_all : behind_one;
 }
 
 /* Whether a segment intersects a triangle. Nothing that has always been in front of a mesh does. */
-static bool does_intersect(const mesh_view *v, uint32_t triangle, const vec3 segment[2])
+static bool does_intersect(const mesh_view *v, uint32_t triangle, const moving_point segment[2])
 {
-    const double first = height_over(v, triangle, segment[0]),
-                 second = height_over(v, triangle, segment[1]);
+    const double first = height_over(v, triangle, segment[0].start),
+                 second = height_over(v, triangle, segment[1].start);
     if ((first < 0.0) == (second < 0.0)) {
         return false;
     }
-    const vec3 point = vec3_lerp(segment[0], segment[1], first / (first - second)),
-               *x = v->shape->start;
+    const vec3 point = vec3_lerp(segment[0].start, segment[1].start, first / (first - second)),
+               *x = v->x;
     const uint32_t *n = v->shape->triangles[triangle];
     const vec3 corners[3] = {vec3_sub(x[n[0]], point), vec3_sub(x[n[1]], point),
                              vec3_sub(x[n[2]], point)};
@@ -173,7 +232,7 @@ static bool does_intersect(const mesh_view *v, uint32_t triangle, const vec3 seg
     return weights[0] > 0.0 && weights[1] > 0.0 && weights[2] > 0.0;
 }
 
-static bool is_segment_behind(const mesh_view *v, uint32_t edge, const vec3 segment[2])
+static bool is_segment_behind(const mesh_view *v, uint32_t edge, const moving_point segment[2])
 {
     const wedge w = wedge_at(v, edge);
     bool behind = is_behind_wedge(&w, segment);
@@ -190,9 +249,12 @@ static bool is_triangle_behind(const mesh_view *v, uint32_t vertex, const collis
     bool behind = true;
     const uint32_t *first = v->mesh->first_triangle, *n = other->triangles[triangle];
     for (uint32_t i = first[vertex]; behind && i < first[vertex + 1]; i++) {
+        const moving_point corners[3] = {point_of(other, n[0]), point_of(other, n[1]),
+                                         point_of(other, n[2])};
         for (int k = 0; k < 3; k++) {
-            behind = behind && height_over(v, v->mesh->triangles_of[i], other->start[n[k]]) < 0.0;
+            behind = behind && height_over(v, v->mesh->triangles_of[i], corners[k].start) < 0.0;
         }
+        behind = behind && do_come_from_behind(v, v->mesh->triangles_of[i], corners, 3);
     }
     return behind;
 }
@@ -201,19 +263,22 @@ bool vbss_scene_is_behind_mesh(const scene_object *s, const collision_candidate 
 {
     const scene_body *a = &s->bodies[s->body_of_shape[q->shape_a]];
     const scene_body *b = &s->bodies[s->body_of_shape[q->shape_b]];
-    const bool is_mesh_a = scene_is_static_mesh(a);
+    const bool is_mesh_a = scene_is_mesh(a);
     const scene_body *mesh = is_mesh_a ? a : b;
-    if (!scene_is_static_mesh(mesh) || !mesh->rigid.mesh.is_one_sided) {
+    if (!scene_is_mesh(mesh) || !mesh->rigid.mesh.is_one_sided) {
         return false;
     }
-    const mesh_view v = view_of(s, mesh);
+    mesh_view v = view_of(s, mesh, scene_mesh_vertices(s, mesh));
+    v.x_end = mesh->rigid.surface != NULL ? v.shape->end : NULL;
     const collision_shape *other = s->collision->shapes[is_mesh_a ? q->shape_b : q->shape_a];
     const uint32_t feature = is_mesh_a ? q->a : q->b, other_feature = is_mesh_a ? q->b : q->a;
     if (q->kind == VBSS_COLLISION_PAIR_POINT_TRIANGLE) {
+        const moving_point point = point_of(other, is_mesh_a ? 0 : other_feature);
         return is_mesh_a ? is_triangle_behind(&v, feature, other, other_feature)
-                         : height_over(&v, feature, other->start[other_feature]) < 0.0;
+                         : height_over(&v, feature, point.start) < 0.0 &&
+                               do_come_from_behind(&v, feature, &point, 1);
     }
     const uint32_t *n = other->edges[other_feature];
-    const vec3 segment[2] = {other->start[n[0]], other->start[n[1]]};
+    const moving_point segment[2] = {point_of(other, n[0]), point_of(other, n[1])};
     return is_segment_behind(&v, feature, segment);
 }

@@ -1,5 +1,6 @@
 /* Motion bounds: the expected displacement of each node and capsule end in a substep. It is an
- * estimate from velocities and targets, or the motion of the rejected attempt before. */
+ * estimate from velocities and targets, or the motion of the rejected attempt before. That of a host
+ * surface is exact. */
 #include "scene/contacts/contacts.h"
 #include "scene/world/world.h"
 
@@ -82,6 +83,8 @@ static void set_no_displacements(scene_object *s, scene_body *b)
         displacements = b->drain.expected_displacements;
         count = b->drain.drain->mesh.node_count;
         b->drain.max_displacement = 0.0;
+    } else if (scene_host_surface_of(b) != NULL) {
+        vbss_scene_hold_host_surface(b->rigid.surface);
     } else if (b->kind == SCENE_BODY_RIGID) {
         const scene_rigid *r = &b->rigid;
         displacements += s->config.node_capacity + 2 * (size_t)r->first_capsule;
@@ -112,6 +115,8 @@ void vbss_scene_set_motion_bounds(scene_object *s, const scene_substep *substep)
             set_no_displacements(s, &s->bodies[i]);
         } else if (s->bodies[i].kind == SCENE_BODY_THREAD) {
             set_thread_displacements(s, &s->bodies[i].thread, substep);
+        } else if (scene_host_surface_of(&s->bodies[i]) != NULL) {
+            vbss_scene_advance_host_surface(s->bodies[i].rigid.surface, substep);
         } else if (s->bodies[i].kind == SCENE_BODY_RIGID) {
             set_capsule_displacements(s, &s->bodies[i].rigid, substep);
         } else if (s->bodies[i].kind == SCENE_BODY_DRAIN) {

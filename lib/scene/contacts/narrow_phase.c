@@ -71,7 +71,7 @@ static inline side side_of(const scene_object *s, const contact_constraint *cons
         d.radius = b->thread.thread->config.radius;
         return d;
     }
-    if (b->rigid.is_static_mesh) {
+    if (scene_is_mesh(b)) {
         d.vertex_count = vbss_scene_surface_feature_nodes(s, b, kind, which == 1, feature, d.nodes);
         d.radius = s->collision->shapes[b->shape]->radius;
         return d;
@@ -107,14 +107,17 @@ static void get_surface_vertices(const side *d, const vec3 *x, vec3 vertices[3])
     }
 }
 
+/* Vertices of a mesh. The motion of a host surface is known, and needs no prediction. */
+static const vec3 *mesh_vertices(const scene_object *s, const scene_body *b, moment when)
+{
+    return when == AT_START ? scene_mesh_vertices(s, b) : scene_mesh_trial_vertices(s, b);
+}
+
 /* For threads and capsules only: contacts of drains keep the normal of the start, and need
  * no prediction. */
 static void add_displacement(const scene_object *s, const side *d, vec3 vertices[3])
 {
     vec3 displacement[3];
-    if (scene_is_static_mesh(d->body)) {
-        return;
-    }
     if (d->capsule == NULL) {
         get_thread_vertices(d, s->step.expected_displacements + d->body->thread.first_node,
                             displacement);
@@ -138,11 +141,11 @@ static void get_vertices(const scene_object *s, const side *d, moment when, vec3
         const drain_object *own = b->drain.drain;
         get_surface_vertices(d, trial ? own->trial : own->x, vertices);
     } else if (d->capsule == NULL) {
-        get_surface_vertices(d, scene_mesh_vertices(s, b), vertices);
+        get_surface_vertices(d, mesh_vertices(s, b, when), vertices);
     } else {
         get_capsule_vertices(d, trial ? d->capsule->trial : d->capsule->now, vertices);
     }
-    if (when == AT_PREDICTED) {
+    if (when == AT_PREDICTED && !scene_is_mesh(b)) {
         add_displacement(s, d, vertices);
     }
 }
@@ -304,7 +307,14 @@ static void add_jacobian(const scene_object *s, contact_constraint *constraint, 
                          const double weights[3], vec3 point, double sign)
 {
     const scene_body *b = d->body;
-    if (b->kind == SCENE_BODY_RIGID) {
+    if (scene_is_compliant(scene_host_surface_of(b))) {
+        for (uint32_t k = 0; k < d->vertex_count && k < 3; k++) {
+            vbss_scene_add_jacobian_block(constraint,
+                                          scene_first_vertex_block(&b->rigid) +
+                                              b->rigid.surface->touched_index[d->nodes[k]],
+                                          sign * weights[k]);
+        }
+    } else if (b->kind == SCENE_BODY_RIGID) {
         vbss_scene_add_rigid_jacobian(constraint, &b->rigid, point, sign);
     } else if (b->kind == SCENE_BODY_DRAIN) {
         for (uint32_t k = 0; k < d->vertex_count && k < 3; k++) {
@@ -370,7 +380,8 @@ static double pair_friction(const scene_object *s, const scene_body *a, const sc
 /* Augmentation r, N/m. Contacts of rigid bodies only scale it with the mass of the lighter one. */
 static double augmentation_of(const scene_body *a, const scene_body *b, double h)
 {
-    if (a->kind != SCENE_BODY_RIGID || (b != NULL && b->kind != SCENE_BODY_RIGID)) {
+    if (a->kind != SCENE_BODY_RIGID || (b != NULL && b->kind != SCENE_BODY_RIGID) ||
+        scene_is_compliant(scene_host_surface_of(b))) {
         return SCENE_NODE_AUGMENTATION;
     }
     double mass = a->rigid.body.mass;
@@ -432,7 +443,7 @@ static void update_geometry(const scene_object *s, contact_constraint *constrain
 
 static bool is_mesh_edge(const side *e)
 {
-    return e->vertex_count == 2 && scene_is_static_mesh(e->body);
+    return e->vertex_count == 2 && scene_is_mesh(e->body);
 }
 
 /* Whether a contact keeps the normal of the start of the substep. Normals of segments jump, or turn
@@ -456,12 +467,13 @@ static bool is_inside_face(const scene_contact_geometry *geometry)
 
 /* Normal of features at a distance from each other. `separation` has that length. */
 static vec3 normal_along(const scene_object *s, const side *e,
-                         const scene_contact_geometry *geometry, vec3 separation, double distance)
+                         const scene_contact_geometry *geometry, moment when, vec3 separation,
+                         double distance)
 {
-    return is_mesh_edge(e)
-               ? vbss_scene_mesh_normal(s, e->body, e->feature, geometry->barycentric[1],
-                                        geometry->contact_distance, separation)
-               : vec3_scale(separation, 1.0 / distance);
+    return is_mesh_edge(e) ? vbss_scene_mesh_normal(s, e->body, mesh_vertices(s, e->body, when),
+                                                    e->feature, geometry->barycentric[1],
+                                                    geometry->contact_distance, separation)
+                           : vec3_scale(separation, 1.0 / distance);
 }
 
 /* Normal of features that intersect: any direction across both will do. */
@@ -503,7 +515,7 @@ bool vbss_scene_run_narrow_phase(const scene_object *s, contact_constraint *cons
         return false;
     }
     constraint->normal = distance > SCENE_MIN_DISTANCE_RATIO * contact_distance
-                             ? normal_along(s, &e, geometry, separation_vector, distance)
+                             ? normal_along(s, &e, geometry, AT_START, separation_vector, distance)
                              : fallback_normal(s, &d, &e);
     if (keeps_start_normal(constraint, &d, &e)) {
         return true;
@@ -517,7 +529,8 @@ bool vbss_scene_run_narrow_phase(const scene_object *s, contact_constraint *cons
         vec3_dot(predicted, constraint->normal) > SCENE_MIN_NORMAL_COSINE * predicted_distance) {
         geometry->barycentric[0] = at[0];
         geometry->barycentric[1] = at[1];
-        constraint->normal = normal_along(s, &e, geometry, predicted, predicted_distance);
+        constraint->normal =
+            normal_along(s, &e, geometry, AT_PREDICTED, predicted, predicted_distance);
         geometry->lip_thickness = lip_thickness;
     }
     return true;
@@ -537,8 +550,9 @@ static void refresh_normal(const scene_object *s, contact_constraint *constraint
     vec3 direction =
         separation_of(s, geometry, d, e, AT_TRIAL, geometry->barycentric, &geometry->lip_thickness);
     if (is_mesh_edge(e)) {
-        direction = vbss_scene_mesh_normal(s, e->body, e->feature, geometry->barycentric[1],
-                                           geometry->contact_distance, direction);
+        direction =
+            vbss_scene_mesh_normal(s, e->body, mesh_vertices(s, e->body, AT_TRIAL), e->feature,
+                                   geometry->barycentric[1], geometry->contact_distance, direction);
     }
     constraint->normal = vec3_unit_or(direction, constraint->normal);
     constraint->previous_force =

@@ -1,12 +1,12 @@
-/* Contacts with drains and static meshes: a point and a triangle, two edges, a node and a plane.
+/* Contacts with drains, static meshes and host surfaces: a point and a triangle, two edges, a node and a plane.
  *
  * A point touches a triangle only if the closest point is in the triangle's interior. If it is on
  * an edge, the contacts of that edge account for it. */
 #include "scene/contacts/contacts.h"
 #include "scene/world/world.h"
 
-/* Expected displacements of a feature's vertices. Those of a drain are gathered into `buffer`. A
- * static mesh has one, of zero. */
+/* Expected displacements of a feature's vertices. Those of a drain or host surface are gathered
+ * into `buffer`. A static mesh has one, of zero. */
 static const vec3 *feature_displacements(const scene_object *s, const scene_body *b,
                                          const contact_key *key, bool is_b, vec3 buffer[3],
                                          uint32_t *count)
@@ -17,6 +17,14 @@ static const vec3 *feature_displacements(const scene_object *s, const scene_body
         *count = vbss_scene_surface_feature_nodes(s, b, key->kind, is_b, feature, nodes);
         for (uint32_t k = 0; k < *count; k++) {
             buffer[k] = b->drain.expected_displacements[nodes[k]];
+        }
+        return buffer;
+    }
+    const scene_host_surface *h = scene_host_surface_of(b);
+    if (h != NULL) {
+        *count = vbss_scene_surface_feature_nodes(s, b, key->kind, is_b, feature, nodes);
+        for (uint32_t k = 0; k < *count; k++) {
+            buffer[k] = h->expected_displacements[nodes[k]];
         }
         return buffer;
     }
@@ -53,8 +61,8 @@ bool vbss_scene_add_surface_contact(scene_object *s, const collision_candidate *
         const contact_key key = {VBSS_SCENE_CONTACT_POINT_FACE, a->number, q->a, b->number, q->b};
         return add_contact(s, &key, a, b, q);
     }
-    /* Side b is a static mesh if there is one, otherwise a drain. */
-    bool swapped = scene_is_static_mesh(a) || !scene_has_triangles(b);
+    /* Side b is a mesh if there is one, otherwise a drain. */
+    bool swapped = scene_is_mesh(a) || !scene_has_triangles(b);
     const contact_key key = {VBSS_SCENE_CONTACT_SIDES, swapped ? b->number : a->number,
                              swapped ? q->b : q->a, swapped ? a->number : b->number,
                              swapped ? q->a : q->b};

@@ -28,13 +28,13 @@ static void visit_rigid(vbss_stream *stream, scene_body_description *d)
     vbss_stream_f64(stream, 26, &d->rigid.frame.orientation.w, 4);
 }
 
-static void visit_static_mesh(vbss_stream *stream, scene_body_description *d)
+static void visit_mesh(vbss_stream *stream, scene_static_mesh_description *d)
 {
-    vbss_stream_u32(stream, 50, &d->static_mesh.vertex_count, 1);
-    vbss_stream_u32(stream, 51, &d->static_mesh.triangle_count, 1);
-    vbss_stream_f64(stream, 52, &d->static_mesh.friction, 1);
-    vbss_stream_f64(stream, 53, &d->static_mesh.thickness, 1);
-    vbss_stream_u32(stream, 56, &d->static_mesh.one_sided, 1);
+    vbss_stream_u32(stream, 50, &d->vertex_count, 1);
+    vbss_stream_u32(stream, 51, &d->triangle_count, 1);
+    vbss_stream_f64(stream, 52, &d->friction, 1);
+    vbss_stream_f64(stream, 53, &d->thickness, 1);
+    vbss_stream_u32(stream, 56, &d->one_sided, 1);
 }
 
 static void visit_plane(vbss_stream *stream, scene_plane_description *d)
@@ -74,7 +74,12 @@ void vbss_scene_visit_body_description(vbss_stream *stream, scene_body_descripti
         visit_rigid(stream, d);
         break;
     case SCENE_DESCRIBED_STATIC_MESH:
-        visit_static_mesh(stream, d);
+        visit_mesh(stream, &d->static_mesh);
+        break;
+    case SCENE_DESCRIBED_HOST_SURFACE:
+        visit_mesh(stream, &d->host_surface.mesh);
+        vbss_stream_f64(stream, 57, &d->host_surface.jump_limit, 1);
+        vbss_stream_u32(stream, 58, &d->host_surface.compliance_size, 1);
         break;
     case SCENE_DESCRIBED_PLANE:
         visit_plane(stream, &d->plane);
@@ -177,21 +182,25 @@ static void visit_surface(vbss_stream *stream, drain_object *d, const scene_surf
     vbss_scene_visit_described_surface(stream, counts, &arrays);
 }
 
-static scene_body_description describe_static_mesh(const scene_rigid *r,
-                                                   const collision_shape *shape)
+static scene_body_description describe_mesh(const scene_rigid *r, const collision_shape *shape)
 {
-    return (scene_body_description){.type = SCENE_DESCRIBED_STATIC_MESH,
-                                    .static_mesh = {.vertex_count = shape->node_count,
-                                                    .triangle_count = shape->triangle_count,
-                                                    .one_sided = r->mesh.is_one_sided ? 1 : 0,
-                                                    .friction = r->created_friction,
-                                                    .thickness = 2.0 * shape->radius}};
+    const scene_static_mesh_description mesh = {.vertex_count = shape->node_count,
+                                                .triangle_count = shape->triangle_count,
+                                                .one_sided = r->mesh.is_one_sided ? 1 : 0,
+                                                .friction = r->created_friction,
+                                                .thickness = 2.0 * shape->radius};
+    if (r->surface != NULL) {
+        return (scene_body_description){
+            .type = SCENE_DESCRIBED_HOST_SURFACE,
+            .host_surface = {mesh, r->surface->jump_limit, r->surface->compliance_size}};
+    }
+    return (scene_body_description){.type = SCENE_DESCRIBED_STATIC_MESH, .static_mesh = mesh};
 }
 
 static scene_body_description describe_body(const scene_object *s, const scene_body *b)
 {
-    if (scene_is_static_mesh(b)) {
-        return describe_static_mesh(&b->rigid, s->collision->shapes[b->shape]);
+    if (scene_is_mesh(b)) {
+        return describe_mesh(&b->rigid, s->collision->shapes[b->shape]);
     }
     switch (b->kind) {
     case SCENE_BODY_THREAD:
@@ -221,6 +230,11 @@ void vbss_scene_visit_body(vbss_stream *stream, scene_object *s, uint32_t entry)
         collision_shape *shape = s->collision->shapes[b->shape];
         vbss_scene_visit_described_static_mesh(stream, &d.static_mesh, &shape->start->x,
                                                shape->triangles[0]);
+    }
+    if (d.type == SCENE_DESCRIBED_HOST_SURFACE) {
+        vbss_scene_visit_described_static_mesh(stream, &d.host_surface.mesh,
+                                               &b->rigid.surface->now->x,
+                                               s->collision->shapes[b->shape]->triangles[0]);
     }
     for (uint32_t i = 0; d.type == SCENE_DESCRIBED_RIGID && i < d.rigid.capsule_count; i++) {
         vbss_scene_visit_described_capsule(stream, &s->capsules[b->rigid.first_capsule + i]);

@@ -19,6 +19,7 @@ enum {
     SCENE_DESCRIBED_GONE_THREAD = 7, /* a thread that has left the scene, but not its pieces */
     SCENE_DESCRIBED_SURFACE = 8,     /* a drain with a surface */
     SCENE_DESCRIBED_STATIC_MESH = 9,
+    SCENE_DESCRIBED_HOST_SURFACE = 10,
     SCENE_DESCRIBED_PLANE = 11
 };
 
@@ -41,6 +42,13 @@ typedef struct scene_plane_description {
     double friction;
 } scene_plane_description;
 
+/* A host surface. Its vertices in the description are where it was when the snapshot was saved. */
+typedef struct scene_host_surface_description {
+    scene_static_mesh_description mesh;
+    double jump_limit; /* m */
+    uint32_t compliance_size;
+} scene_host_surface_description;
+
 /* Numbers of entries of a surface's arrays. */
 typedef struct scene_surface_counts {
     uint32_t nodes, triangles, anchors;
@@ -62,6 +70,7 @@ typedef struct scene_body_description {
         scene_rigid_description rigid;
         scene_static_mesh_description static_mesh;
         scene_plane_description plane;
+        scene_host_surface_description host_surface;
     };
 } scene_body_description;
 
@@ -83,7 +92,7 @@ typedef struct scene_surface_arrays {
 } scene_surface_arrays;
 
 /* The arrays after it: of a surface its numbers, of a thread `rest_count` rest lengths, of a rigid body
- * its capsules, of a static mesh its vertices and triangles. */
+ * its capsules, of a static mesh or host surface its vertices and triangles. */
 void vbss_scene_visit_described_surface(vbss_stream *stream, const scene_surface_counts *counts,
                                         const scene_surface_arrays *arrays);
 void vbss_scene_visit_described_rest(vbss_stream *stream, double *rest_lengths, uint32_t count);

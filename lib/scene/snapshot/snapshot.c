@@ -237,6 +237,9 @@ static void visit_rigid(vbss_stream *stream, scene_object *s, scene_body *b)
             vbss_stream_expect_f64(stream, 25, numbers[k]);
         }
     }
+    if (r->surface != NULL) {
+        vbss_scene_serialise_host_surface(stream, r);
+    }
     if (r->grasper != NULL) {
         visit_grasper(stream, s, r);
     }

@@ -54,6 +54,11 @@ void vbss_scene_serialise_piece(vbss_stream *stream, scene_object *s, scene_body
  * threads, and numbers the nodes. */
 void vbss_scene_restore_pieces(vbss_stream *stream, scene_object *s);
 
+/* ---- snapshot_host_surface.c */
+
+/* Visits the state of a host surface. Reading refuses another mesh, and positions that no host can give. */
+void vbss_scene_serialise_host_surface(vbss_stream *stream, scene_rigid *r);
+
 /* ---- snapshot.c */
 
 /* Visits the whole state of a scene. `object` is a scene_object. */

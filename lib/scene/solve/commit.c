@@ -67,6 +67,7 @@ void vbss_scene_commit(scene_object *s, const scene_substep *substep)
         }
     }
     vbss_scene_commit_capsules(s);
+    vbss_scene_commit_host_surfaces(s, true);
     vbss_scene_commit_holes(s);
     vbss_scene_advance_holes(s);
     store_warm_start(s);

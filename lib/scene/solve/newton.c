@@ -58,6 +58,8 @@ static void assemble(scene_object *s, const scene_substep *substep, assembly_sco
                    b->rigid.kind != VBSS_SCENE_RIGID_DRIVEN) {
             vbss_rigid_assemble(&b->rigid.body, &p, &b->rigid.predicted, &b->rigid.trial, system,
                                 &b->rigid.blocks);
+        } else if (scene_active_kind(b) == SCENE_BODY_RIGID) {
+            vbss_scene_assemble_surface(s, &b->rigid);
         } else if (scene_active_kind(b) == SCENE_BODY_DRAIN && scope != ASSEMBLE_ALL) {
             vbss_drain_assemble_rhs(b->drain.drain, &b->drain.substep, system,
                                     b->drain.first_block);
@@ -180,6 +182,7 @@ static void advance_rigid(scene_object *s, scene_rigid *r)
             vbss_scene_transform_trial_capsule(&s->capsules[r->first_capsule + c], r->trial);
         }
     }
+    vbss_scene_advance_surface(s, r);
 }
 
 static void set_welded_nodes(scene_object *s)

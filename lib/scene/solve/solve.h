@@ -7,10 +7,14 @@
 
 /* ---- system_capacity.c */
 
-/* Replaces the system by one with capacity for all drains of the scene and `added` (NULL: no
- * further drain). The next substep builds the pattern again. VBSS_ERROR_OUT_OF_MEMORY:
+/* Replaces the system by one with capacity for all drains and compliant surfaces of the scene, `added` (NULL: no
+ * further drain), and another `added_blocks` blocks. The next substep builds the pattern again. VBSS_ERROR_OUT_OF_MEMORY:
  * nothing changes. */
-vbss_result vbss_scene_create_system(scene_object *s, const drain_object *added);
+vbss_result vbss_scene_create_system(scene_object *s, const drain_object *added,
+                                     uint32_t added_blocks);
+
+/* Blocks that a host surface needs for the vertices that are touched at a time. */
+uint32_t vbss_scene_surface_blocks(const scene_host_surface *h);
 
 /* ---- predict.c */
 
@@ -18,6 +22,23 @@ vbss_result vbss_scene_create_system(scene_object *s, const drain_object *added)
  * contacts start from a prediction, driven bodies from their targets, all others from the
  * committed state. */
 void vbss_scene_predict(scene_object *s, const scene_substep *substep);
+
+/* ---- surface_compliance.c */
+
+/* Lists the vertices of compliant surfaces that contacts touch. */
+void vbss_scene_list_touched_vertices(scene_object *s);
+
+/* Moves all other vertices of compliant surfaces to where the host has prescribed, as no force deflects them. */
+void vbss_scene_release_untouched_vertices(scene_object *s);
+
+/* Registers a block for each of the touched vertices. VBSS_ERROR_CAPACITY: more than SCENE_MAX_TOUCHED_VERTICES. */
+vbss_result vbss_scene_register_touched_vertices(scene_object *s, const scene_rigid *r);
+
+/* Adds stiffness and forces of their compliance to the system. */
+void vbss_scene_assemble_surface(const scene_object *s, const scene_rigid *r);
+
+/* Adds their increments to the trial positions. */
+void vbss_scene_advance_surface(const scene_object *s, const scene_rigid *r);
 
 /* ---- sparsity.c */
 

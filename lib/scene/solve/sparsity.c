@@ -294,6 +294,15 @@ static uint64_t mix_attachments(uint64_t hash, const thread_object *t)
     return hash;
 }
 
+static uint64_t mix_touched(uint64_t hash, const scene_host_surface *h)
+{
+    hash = mix(hash, h->touched_count);
+    for (uint32_t i = 0; i < h->touched_count; i++) {
+        hash = mix_two(hash, h->touched[i], scene_has_compliance(h, h->touched[i]));
+    }
+    return hash;
+}
+
 /* Hash of all that register_bodies and list_welds depend on: bodies, separators,
  * attachments, pins. */
 static uint64_t hash_bodies(const scene_object *s)
@@ -313,6 +322,8 @@ static uint64_t hash_bodies(const scene_object *s)
             uint32_t nodes = b->drain.drain->mesh.node_count;
             hash = mix_flags(hash, b->drain.is_separator, nodes);
             hash = mix_flags(hash, b->drain.drain->anchored, nodes);
+        } else if (scene_is_compliant(scene_host_surface_of(b))) {
+            hash = mix_touched(hash, b->rigid.surface);
         }
     }
     return hash;
@@ -337,8 +348,9 @@ static uint32_t *first_block_of(scene_body *b)
 
 static uint32_t count_blocks(const scene_body *b)
 {
-    return b->kind == SCENE_BODY_THREAD  ? b->thread.thread->node_count
-           : b->kind == SCENE_BODY_RIGID ? 2
+    return b->kind == SCENE_BODY_THREAD ? b->thread.thread->node_count
+           : b->kind == SCENE_BODY_RIGID
+               ? 2 + (scene_is_compliant(b->rigid.surface) ? b->rigid.surface->touched_count : 0)
            : b->kind == SCENE_BODY_DRAIN ? b->drain.drain->mesh.node_count
                                          : 0;
 }
@@ -372,6 +384,7 @@ static vbss_result register_bodies(scene_object *s)
             vbss_role role = b->rigid.kind == VBSS_SCENE_RIGID_DRIVEN ? VBSS_ROLE_PRESCRIBED
                                                                       : VBSS_ROLE_SEPARATOR;
             VBSS_TRY(vbss_rigid_register(s->system, role, &b->rigid.blocks));
+            VBSS_TRY(vbss_scene_register_touched_vertices(s, &b->rigid));
         } else if (b->kind == SCENE_BODY_DRAIN) {
             VBSS_TRY(vbss_drain_add_to_system(b->drain.drain, s->system, b->drain.is_separator,
                                               &b->drain.first_block));
@@ -383,6 +396,7 @@ static vbss_result register_bodies(scene_object *s)
 void vbss_scene_number_blocks(scene_object *s)
 {
     uint32_t first = 0;
+    vbss_scene_list_touched_vertices(s);
     for (uint32_t i = 0; i < s->body_count; i++) {
         scene_body *b = &s->bodies[i];
         if (b->kind != SCENE_BODY_NONE) {

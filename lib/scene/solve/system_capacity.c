@@ -2,6 +2,7 @@
 #include "base/error.h"
 #include "scene/solve/solve.h"
 #include "scene/tuning.h"
+#include "scene/world/world.h"
 
 static uint32_t smaller(uint64_t a, uint64_t b)
 {
@@ -38,9 +39,18 @@ static void add_capacity(vbss_system_capacity *capacity, const drain_object *d)
     capacity->arena += SCENE_MATRIX_PER_DRAIN_ENTRY * d->order.factor_entries;
 }
 
-vbss_result vbss_scene_create_system(scene_object *s, const drain_object *added)
+uint32_t vbss_scene_surface_blocks(const scene_host_surface *h)
 {
-    uint32_t blocks = s->node_capacity + 2 * s->config.rigid_capacity;
+    return scene_is_compliant(h) ? smaller(h->vertex_count, SCENE_MAX_TOUCHED_VERTICES) : 0;
+}
+
+vbss_result vbss_scene_create_system(scene_object *s, const drain_object *added,
+                                     uint32_t added_blocks)
+{
+    uint32_t blocks = s->node_capacity + 2 * s->config.rigid_capacity + added_blocks;
+    for (uint32_t i = 0; i < s->body_count; i++) {
+        blocks += vbss_scene_surface_blocks(scene_host_surface_of(&s->bodies[i]));
+    }
     vbss_system_capacity capacity = base_capacity(s, blocks);
     vbss_system *new_system;
     for (uint32_t i = 0; i < s->body_count; i++) {

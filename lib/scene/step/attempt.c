@@ -48,6 +48,7 @@ static scene_substep_outcome begin_attempt(scene_object *s, const scene_substep 
     vbss_scene_charge_budget(s, vbss_scene_attempt_cost(s));
     vbss_scene_predict(s, substep);
     vbss_scene_number_blocks(s);
+    vbss_scene_release_untouched_vertices(s);
     vbss_scene_init_contacts(s, substep);
     vbss_scene_warm_start_contacts(s, substep);
     set_allowed_penetrations(s);

@@ -21,6 +21,9 @@ vbss_result vbss_scene_checkpoint(scene_object *s)
         } else if (b->kind == SCENE_BODY_RIGID) {
             b->rigid.checkpoint.motion = b->rigid.body.now;
             b->rigid.checkpoint.coupling_wrench = b->rigid.coupling_wrench;
+            if (b->rigid.surface != NULL) {
+                vbss_scene_checkpoint_host_surface(b->rigid.surface);
+            }
         } else if (b->kind == SCENE_BODY_DRAIN) {
             vbss_scene_checkpoint_drain(&b->drain);
         }
@@ -84,6 +87,9 @@ void vbss_scene_rollback(scene_object *s)
         } else if (b->kind == SCENE_BODY_RIGID) {
             b->rigid.body.now = b->rigid.checkpoint.motion;
             b->rigid.coupling_wrench = b->rigid.checkpoint.coupling_wrench;
+            if (b->rigid.surface != NULL) {
+                vbss_scene_rollback_host_surface(b->rigid.surface);
+            }
         } else if (b->kind == SCENE_BODY_DRAIN) {
             vbss_scene_rollback_drain(&b->drain);
         }

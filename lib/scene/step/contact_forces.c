@@ -63,7 +63,8 @@ static scene_body *rigid_body_of_block(scene_object *s, uint32_t block_index)
 {
     for (uint32_t i = 0; i < s->body_count; i++) {
         scene_body *body = &s->bodies[i];
-        if (body->kind == SCENE_BODY_RIGID && body->rigid.blocks.first == block_index) {
+        if (body->kind == SCENE_BODY_RIGID && (body->rigid.blocks.first == block_index ||
+                                               scene_is_vertex_block(&body->rigid, block_index))) {
             return body;
         }
     }
@@ -111,6 +112,10 @@ void vbss_scene_publish_constraints(scene_object *s)
         scene_body *other = vbss_scene_body(s, constraint->key.body_b);
         if (scene_is_plane(other) || scene_is_static_mesh(other)) { /* no part of the system */
             vbss_scene_add_force(other, point, vec3_neg(force));
+        }
+        /* The forces after a rejected attempt are no solution: a host with a model would integrate them. */
+        if (!s->cursor.is_behind_targets) {
+            vbss_scene_add_surface_forces(s, constraint, force);
         }
         for (uint32_t k = 0; k < constraint->jacobian_block_count; k++) {
             const contact_jacobian_block *jacobian_block = &constraint->jacobian[k];
@@ -166,6 +171,9 @@ void vbss_scene_collect_forces(scene_object *s)
     for (uint32_t i = 0; i < s->body_count; i++) {
         if (scene_active_kind(&s->bodies[i]) == SCENE_BODY_RIGID) {
             s->bodies[i].rigid.force = s->bodies[i].rigid.torque = vec3_zero();
+            if (s->bodies[i].rigid.surface != NULL && !s->cursor.is_behind_targets) {
+                vbss_scene_clear_surface_forces(s->bodies[i].rigid.surface);
+            }
         }
     }
     s->method->publish_contacts(s);

@@ -10,7 +10,7 @@
 static vbss_result create_state(scene_object *s)
 {
     VBSS_TRY(vbss_contact_create(s->context, s->config.contact_capacity, &s->contacts));
-    return vbss_scene_create_system(s, NULL);
+    return vbss_scene_create_system(s, NULL, 0);
 }
 
 static void destroy_state(scene_object *s)
@@ -28,7 +28,7 @@ static vbss_result prepare_drain(scene_object *s, const drain_object *added, uin
 {
     VBSS_TRY(vbss_collision_exclude_near(s->collision, shape, added->mesh.rest,
                                          SCENE_DRAIN_SELF_ARC_RATIO * added->config.thickness));
-    return vbss_scene_create_system(s, added);
+    return vbss_scene_create_system(s, added, 0);
 }
 
 static void add_body(scene_object *s, const scene_body *b)

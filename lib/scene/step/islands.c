@@ -48,7 +48,8 @@ static bool is_pose_equal(const pose *a, const pose *b)
 static bool is_at_rest(const scene_object *s, const scene_rigid *r)
 {
     if (r->kind != VBSS_SCENE_RIGID_DRIVEN ||
-        !is_pose_equal(&r->body.target_start, &r->body.target_end)) {
+        !is_pose_equal(&r->body.target_start, &r->body.target_end) ||
+        (r->surface != NULL && r->surface->is_moving) || scene_is_compliant(r->surface)) {
         return false;
     }
     for (uint32_t i = r->first_capsule; i < r->first_capsule + r->capsule_count; i++) {

@@ -24,6 +24,7 @@ void vbss_scene_begin_step(scene_object *s, double h)
     vbss_scene_set_substep_limits(s);
     vbss_scene_record_holes_before_step(s);
     vbss_scene_apply_rigid_targets(s);
+    vbss_scene_apply_host_surfaces(s);
     vbss_scene_apply_loads(s);
     vbss_scene_hold_sections(s, h);
     vbss_scene_limit_rigid_targets(s, h);
@@ -70,6 +71,9 @@ static void finish_motion(scene_object *s, double h)
             r->body.target_start = r->kind == VBSS_SCENE_RIGID_DRIVEN && s->cursor.is_behind_targets
                                        ? r->body.now.pose
                                        : r->body.target_end;
+            if (r->surface != NULL) {
+                vbss_scene_finish_host_surface(r->surface, s->cursor.is_behind_targets);
+            }
         }
     }
 }

@@ -158,7 +158,7 @@ static surroundings find_surroundings(scene_object *s, const probe *p, double wi
         collision_shape *shape = c->shapes[b->shape];
         vbss_collision_shape_refit_edges(shape);
         uint32_t *near = b->kind == SCENE_BODY_DRAIN ? b->drain.near_features
-                         : scene_is_static_mesh(b)   ? b->rigid.mesh.near_features
+                         : scene_is_mesh(b)          ? b->rigid.mesh.near_features
                                                      : s->scratch.near_features;
         uint32_t count = VBSS_WIDE_CALL(c->wide, vbss_collision_bvh_query, &c->search,
                                         &shape->edge_bvh, &box, near);

@@ -81,10 +81,12 @@ vbss_result vbss_scene_check_pin(const scene_object *s, uint32_t thread, uint32_
     VBSS_TRY(vbss_scene_require_body(s, thread, SCENE_BODY_THREAD, &t));
     if (body != 0) {
         VBSS_TRY(vbss_scene_require_body(s, body, SCENE_BODY_RIGID, &rigid));
-        if (rigid->rigid.is_static_mesh || rigid->rigid.is_plane) {
+        if (scene_is_mesh(rigid) || rigid->rigid.is_plane) {
             return vbss_fail(s->context, VBSS_ERROR_INCOMPATIBLE,
                              "body %u is a %s: pin the node to the world", body,
-                             rigid->rigid.is_plane ? "plane" : "static mesh");
+                             rigid->rigid.is_plane         ? "plane"
+                             : rigid->rigid.is_static_mesh ? "static mesh"
+                                                           : "host surface");
         }
     }
     VBSS_TRY(check_node(s, t, node));

@@ -142,7 +142,11 @@ typedef struct scene_wall_grasp {
     bool needs_reopening; /* torn out: no new grasp before the handle opens or the jaws are clear */
 } scene_wall_grasp;
 
-/* A static mesh. Its collision shape has the vertices and triangles. Persistent. */
+/* The motion of a host surface (world/host_surface.h). */
+typedef struct scene_host_surface scene_host_surface;
+
+/* A static mesh or host surface. Its collision shape has the triangles, and the vertices of a static mesh.
+ * Persistent. */
 typedef struct scene_static_mesh {
     bool is_one_sided;      /* nothing touches it from behind its triangles */
     uint64_t geometry_hash; /* of vertices, triangles, thickness and is_one_sided */
@@ -186,10 +190,11 @@ typedef struct scene_rigid {
     vbss_slot *slot;       /* slot of the handle of a grasper or needle; NULL for other bodies */
     needle_object *needle; /* NULL unless the body is a needle */
     /* Persistent. */
-    bool is_static_mesh;    /* the body has no capsules, and never moves */
-    scene_static_mesh mesh; /* for static meshes only */
-    bool is_plane;          /* the body has no capsules, and never moves */
-    scene_plane plane;      /* for planes only */
+    bool is_static_mesh;         /* the body has no capsules, and never moves */
+    scene_static_mesh mesh;      /* for static meshes and host surfaces only */
+    scene_host_surface *surface; /* NULL unless the body is a host surface */
+    bool is_plane;               /* the body has no capsules, and never moves */
+    scene_plane plane;           /* for planes only */
     /* Persistent; for graspers only. */
     grasper_object *grasper; /* NULL unless the body is a grasper */
     scene_needle_grasp needle_grasp;

@@ -121,9 +121,12 @@ vbss_result vbss_scene_create_static_mesh(scene_object *s, scene_static_mesh *m,
 
 void vbss_scene_release_static_mesh(scene_object *s, scene_body *b)
 {
-    if (scene_is_static_mesh(b)) {
+    if (scene_is_mesh(b)) {
         vbss_array arrays[MESH_ARRAYS];
         list_arrays(&b->rigid.mesh, s->collision->shapes[b->shape], arrays);
         vbss_release_arrays(s->context, arrays, MESH_ARRAYS);
+    }
+    if (scene_host_surface_of(b) != NULL) {
+        vbss_scene_release_host_surface(s, &b->rigid);
     }
 }

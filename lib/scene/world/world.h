@@ -4,6 +4,7 @@
 #define VBSS_SCENE_WORLD_H
 
 #include "scene/tuning.h"
+#include "scene/world/host_surface.h"
 #include "scene/world/scene_data.h"
 
 /* Number of arrays that a scene allocates for each drain. */
@@ -79,16 +80,36 @@ static inline double scene_height_over(scene_plane plane, vec3 point)
     return vec3_dot(plane.normal, point) - plane.height;
 }
 
-/* Whether a body is a surface of triangles: a drain or a static mesh. */
-static inline bool scene_has_triangles(const scene_body *b)
+/* The motion of a host surface; NULL for any other body, and for the floor (NULL). */
+static inline scene_host_surface *scene_host_surface_of(const scene_body *b)
 {
-    return b != NULL && (b->kind == SCENE_BODY_DRAIN || scene_is_static_mesh(b));
+    return b != NULL && b->kind == SCENE_BODY_RIGID ? b->rigid.surface : NULL;
 }
 
-/* Vertices of a static mesh in the world, m. */
+/* Whether a body is a static mesh or a host surface. The floor (NULL) is neither. */
+static inline bool scene_is_mesh(const scene_body *b)
+{
+    return scene_is_static_mesh(b) || scene_host_surface_of(b) != NULL;
+}
+
+/* Whether a body is a surface of triangles: a drain, a static mesh or a host surface. */
+static inline bool scene_has_triangles(const scene_body *b)
+{
+    return b != NULL && (b->kind == SCENE_BODY_DRAIN || scene_is_mesh(b));
+}
+
+/* Vertices of a static mesh or host surface in the world, m. */
 static inline const vec3 *scene_mesh_vertices(const scene_object *s, const scene_body *mesh)
 {
-    return s->collision->shapes[mesh->shape]->start;
+    const scene_host_surface *h = mesh->rigid.surface;
+    return h != NULL ? h->now : s->collision->shapes[mesh->shape]->start;
+}
+
+/* The same at the end of the substep. */
+static inline const vec3 *scene_mesh_trial_vertices(const scene_object *s, const scene_body *mesh)
+{
+    const scene_host_surface *h = mesh->rigid.surface;
+    return h != NULL ? h->trial : s->collision->shapes[mesh->shape]->start;
 }
 
 /* Whether an entry of the list of thread grasps holds its strand. Other entries are unused, or
@@ -394,7 +415,7 @@ void vbss_scene_disown_needle(scene_body *b);
 vbss_result vbss_scene_create_static_mesh(scene_object *s, scene_static_mesh *m,
                                           const collision_shape *shape);
 
-/* Releases the scene's memory for a static mesh; for other bodies it does nothing. */
+/* Releases the scene's memory for a static mesh or host surface; for other bodies it does nothing. */
 void vbss_scene_release_static_mesh(scene_object *s, scene_body *b);
 
 /* Lists the arrays of a scene for a drain with this number of nodes, to allocate or release

@@ -20,6 +20,8 @@ namespace VblastSs
         Floor = 6,
         /// <summary>A static mesh.</summary>
         StaticMesh = 7,
+        /// <summary>A host surface (scene_surface.h).</summary>
+        Surface = 8,
         /// <summary>A plane that the host added.</summary>
         Plane = 9,
     }

@@ -28,6 +28,8 @@ class SceneBodyKind(IntEnum):
     """The floor, body 0."""
     STATIC_MESH = 7
     """A static mesh."""
+    SURFACE = 8
+    """A host surface (scene_surface.h)."""
     PLANE = 9
     """A plane that the host added."""
 

@@ -22,6 +22,8 @@ pub const VBSS_SCENE_BODY_GRASPER: vbss_scene_body_kind = 5;
 pub const VBSS_SCENE_BODY_FLOOR: vbss_scene_body_kind = 6;
 /// A static mesh.
 pub const VBSS_SCENE_BODY_STATIC_MESH: vbss_scene_body_kind = 7;
+/// A host surface (scene_surface.h).
+pub const VBSS_SCENE_BODY_SURFACE: vbss_scene_body_kind = 8;
 /// A plane that the host added.
 pub const VBSS_SCENE_BODY_PLANE: vbss_scene_body_kind = 9;
 

@@ -1,0 +1,162 @@
+// Written by bindings/csharp/generate.py from the public headers: do not edit.
+using System;
+using System.Runtime.InteropServices;
+
+namespace VblastSs
+{
+    /// <summary>The constants of vbss_scene_surface_field.</summary>
+    public enum SceneSurfaceField : int
+    {
+        /// <summary>
+        /// Positions of the vertices after the last step, m: vertex_count times x, y, z. They
+        /// differ from the targets while a step is suspended, and after a step of which the scene
+        /// left out a part.
+        /// </summary>
+        Positions = 1,
+        /// <summary>Positions that the host gave last, m: vertex_count times x, y, z.</summary>
+        Targets = 2,
+        /// <summary>
+        /// Contact forces on the vertices at the end of the last step, friction included, N:
+        /// vertex_count times x, y, z. Each contact force acts at a point of the middle of the
+        /// wall, and the corners of the triangle or edge there share it by its barycentric
+        /// coordinates. So the forces on the vertices have the sum and the torque of the contact
+        /// forces at these points. After a step of which the scene left out a part they are those
+        /// of the step before.
+        /// </summary>
+        Forces = 3,
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    internal struct SceneSurfaceConfigData
+    {
+        internal uint StructSize;
+        internal uint VertexCount;
+        internal uint TriangleCount;
+        internal uint OneSided;
+        internal IntPtr Vertices;
+        internal IntPtr Triangles;
+        internal double Friction;
+        internal double Thickness;
+        internal double JumpLimit;
+        internal uint ComplianceSize;
+        internal uint Reserved;
+    }
+
+    /// <summary>
+    /// Configuration of a host surface. Fill it with vbss_scene_surface_config_init, then change
+    /// fields.
+    /// </summary>
+    public sealed unsafe partial class SceneSurfaceConfig
+    {
+        private readonly SceneSurfaceConfigData[] box = new SceneSurfaceConfigData[1];
+
+        /// <summary>The defaults of the library.</summary>
+        public SceneSurfaceConfig()
+        {
+            fixed (SceneSurfaceConfigData* data = box)
+            {
+                Vblast.Check(Native.vbss_scene_surface_config_init(data, (uint)sizeof(SceneSurfaceConfigData)));
+            }
+        }
+
+        /// <summary>Number of vertices, 3 to 65536.</summary>
+        public uint VertexCount
+        {
+            get { return box[0].VertexCount; }
+            set { box[0].VertexCount = value; }
+        }
+
+        /// <summary>Number of triangles, 1 to 131072.</summary>
+        public uint TriangleCount
+        {
+            get { return box[0].TriangleCount; }
+            set { box[0].TriangleCount = value; }
+        }
+
+        /// <summary>
+        /// 0: bodies touch it from both sides (default). 1: only from the front, which is the side
+        /// from which the corners of a triangle are counter-clockwise. Bodies behind it at the
+        /// start of a step are left alone. Each edge of such a surface belongs to one triangle, or
+        /// to two that list it in opposite directions.
+        /// </summary>
+        public uint OneSided
+        {
+            get { return box[0].OneSided; }
+            set { box[0].OneSided = value; }
+        }
+
+        /// <summary>
+        /// First positions of the vertices in the world, m: vertex_count times x, y, z, each at
+        /// most 1e3 in magnitude; the library copies them.
+        /// </summary>
+        public double[] Vertices { get; set; }
+
+        /// <summary>
+        /// Corners of triangles: triangle_count times three different indices of vertices, in any
+        /// order. No triangle may be so thin that the cross product of two of its sides is zero.
+        /// The library copies them.
+        /// </summary>
+        public uint[] Triangles { get; set; }
+
+        /// <summary>
+        /// Friction coefficient of its surface, 0 to 10; default 0.15. A contact with a thread has
+        /// this coefficient, any other contact the geometric mean of both.
+        /// </summary>
+        public double Friction
+        {
+            get { return box[0].Friction; }
+            set { box[0].Friction = value; }
+        }
+
+        /// <summary>
+        /// Thickness of the wall, m, 2e-6 to 0.2; default 0.5e-3. The triangles are its middle:
+        /// other bodies touch it at half the thickness from them.
+        /// </summary>
+        public double Thickness
+        {
+            get { return box[0].Thickness; }
+            set { box[0].Thickness = value; }
+        }
+
+        /// <summary>
+        /// Largest distance between two positions of a vertex that the host gives one after the
+        /// other, m, 1e-6 to 1e3; default 20e-3: 20 m/s at steps of 1 ms. vbss_scene_move_surface
+        /// refuses a longer one.
+        /// </summary>
+        public double JumpLimit
+        {
+            get { return box[0].JumpLimit; }
+            set { box[0].JumpLimit = value; }
+        }
+
+        /// <summary>
+        /// Numbers with which the host states how far each vertex gives way to a force: 0
+        /// (default): none, all vertices are exactly where the host says; 1: one compliance for all
+        /// directions; 9: a symmetric matrix of 3 x 3. Values are set by
+        /// vbss_scene_set_surface_compliance, and are zero before.
+        /// </summary>
+        public uint ComplianceSize
+        {
+            get { return box[0].ComplianceSize; }
+            set { box[0].ComplianceSize = value; }
+        }
+
+        internal SceneSurfaceConfigData* Pin(Pins pins)
+        {
+            ref SceneSurfaceConfigData data = ref box[0];
+            uint? countedVertexCount = null;
+            uint? countedTriangleCount = null;
+            data.Vertices = pins.Array(Vertices);
+            if (Vertices != null)
+            {
+                data.VertexCount = pins.Count(nameof(Vertices), Vertices.Length, 3, 0, ref countedVertexCount);
+            }
+            data.Triangles = pins.Array(Triangles);
+            if (Triangles != null)
+            {
+                data.TriangleCount = pins.Count(nameof(Triangles), Triangles.Length, 3, 0, ref countedTriangleCount);
+            }
+            return (SceneSurfaceConfigData*)pins.Array(box);
+        }
+    }
+}

@@ -1,0 +1,100 @@
+"""scene_surface.h, as ctypes sees it. Written by bindings/python/generate.py: do not edit."""
+from __future__ import annotations
+
+import ctypes
+from ctypes import POINTER, c_double, c_int32, c_uint32
+from enum import IntEnum
+from typing import Any, ClassVar
+
+from .base import vbss_view
+from .scene import vbss_scene
+
+
+class SceneSurfaceField(IntEnum):
+    """The constants of vbss_scene_surface_field."""
+    POSITIONS = 1
+    """Positions of the vertices after the last step, m: vertex_count times x, y, z. They differ
+    from the targets while a step is suspended, and after a step of which the scene left out a
+    part."""
+    TARGETS = 2
+    """Positions that the host gave last, m: vertex_count times x, y, z."""
+    FORCES = 3
+    """Contact forces on the vertices at the end of the last step, friction included, N:
+    vertex_count times x, y, z. Each contact force acts at a point of the middle of the wall,
+    and the corners of the triangle or edge there share it by its barycentric coordinates. So
+    the forces on the vertices have the sum and the torque of the contact forces at these
+    points. After a step of which the scene left out a part they are those of the step before."""
+
+
+class vbss_scene_surface_config(ctypes.Structure):
+    """Configuration of a host surface. Fill it with vbss_scene_surface_config_init, then change
+    fields.
+
+    vertex_count: Number of vertices, 3 to 65536.
+
+    triangle_count: Number of triangles, 1 to 131072.
+
+    one_sided: 0: bodies touch it from both sides (default). 1: only from the front, which is
+    the side from which the corners of a triangle are counter-clockwise. Bodies behind it at the
+    start of a step are left alone. Each edge of such a surface belongs to one triangle, or to
+    two that list it in opposite directions.
+
+    vertices: First positions of the vertices in the world, m: vertex_count times x, y, z, each
+    at most 1e3 in magnitude; the library copies them.
+
+    triangles: Corners of triangles: triangle_count times three different indices of vertices,
+    in any order. No triangle may be so thin that the cross product of two of its sides is zero.
+    The library copies them.
+
+    friction: Friction coefficient of its surface, 0 to 10; default 0.15. A contact with a
+    thread has this coefficient, any other contact the geometric mean of both.
+
+    thickness: Thickness of the wall, m, 2e-6 to 0.2; default 0.5e-3. The triangles are its
+    middle: other bodies touch it at half the thickness from them.
+
+    jump_limit: Largest distance between two positions of a vertex that the host gives one after
+    the other, m, 1e-6 to 1e3; default 20e-3: 20 m/s at steps of 1 ms. vbss_scene_move_surface
+    refuses a longer one.
+
+    compliance_size: Numbers with which the host states how far each vertex gives way to a
+    force: 0 (default): none, all vertices are exactly where the host says; 1: one compliance
+    for all directions; 9: a symmetric matrix of 3 x 3. Values are set by
+    vbss_scene_set_surface_compliance, and are zero before."""
+    struct_size: int
+    vertex_count: int
+    triangle_count: int
+    one_sided: int
+    vertices: Any
+    triangles: Any
+    friction: float
+    thickness: float
+    jump_limit: float
+    compliance_size: int
+    reserved: int
+    _kinds_: ClassVar[dict[str, Any]] = {}
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("vertex_count", c_uint32),
+        ("triangle_count", c_uint32),
+        ("one_sided", c_uint32),
+        ("vertices", POINTER(c_double)),
+        ("triangles", POINTER(c_uint32)),
+        ("friction", c_double),
+        ("thickness", c_double),
+        ("jump_limit", c_double),
+        ("compliance_size", c_uint32),
+        ("reserved", c_uint32),
+    ]
+
+
+FUNCTIONS: dict[str, tuple[Any, tuple[Any, ...]]] = {
+    "vbss_scene_surface_config_init": (c_int32, (POINTER(vbss_scene_surface_config), c_uint32)),
+    "vbss_scene_add_surface": (c_int32, (POINTER(vbss_scene), POINTER(vbss_scene_surface_config),
+        POINTER(c_uint32))),
+    "vbss_scene_move_surface": (c_int32, (POINTER(vbss_scene), c_uint32, POINTER(c_double),
+        c_uint32)),
+    "vbss_scene_set_surface_compliance": (c_int32, (POINTER(vbss_scene), c_uint32,
+        POINTER(c_double), c_uint32)),
+    "vbss_scene_get_surface_view": (c_int32, (POINTER(vbss_scene), c_uint32, c_int32,
+        POINTER(vbss_view), c_uint32)),
+}

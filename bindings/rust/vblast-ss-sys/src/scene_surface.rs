@@ -1,0 +1,149 @@
+// Written by bindings/rust/generate.py from the public headers: do not edit.
+#[allow(unused_imports)]
+use crate::*;
+
+
+/// An array of a host surface: a VBSS_SCENE_SURFACE_VIEW_ constant.
+pub type vbss_scene_surface_field = i32;
+
+// The constants of vbss_scene_surface_field.
+/// Positions of the vertices after the last step, m: vertex_count times x, y, z. They differ from
+/// the targets while a step is suspended, and after a step of which the scene left out a part.
+pub const VBSS_SCENE_SURFACE_VIEW_POSITIONS: vbss_scene_surface_field = 1;
+/// Positions that the host gave last, m: vertex_count times x, y, z.
+pub const VBSS_SCENE_SURFACE_VIEW_TARGETS: vbss_scene_surface_field = 2;
+/// Contact forces on the vertices at the end of the last step, friction included, N: vertex_count
+/// times x, y, z. Each contact force acts at a point of the middle of the wall, and the corners of
+/// the triangle or edge there share it by its barycentric coordinates. So the forces on the
+/// vertices have the sum and the torque of the contact forces at these points. After a step of which
+/// the scene left out a part they are those of the step before.
+pub const VBSS_SCENE_SURFACE_VIEW_FORCES: vbss_scene_surface_field = 3;
+
+/// Configuration of a host surface. Fill it with vbss_scene_surface_config_init, then change fields.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct vbss_scene_surface_config {
+    /// Size of this struct in bytes, set by the init function.
+    pub struct_size: u32,
+    /// Number of vertices, 3 to 65536.
+    pub vertex_count: u32,
+    /// Number of triangles, 1 to 131072.
+    pub triangle_count: u32,
+    /// 0: bodies touch it from both sides (default). 1: only from the front, which is the side from
+    /// which the corners of a triangle are counter-clockwise. Bodies behind it at the start of a step are
+    /// left alone. Each edge of such a surface belongs to one triangle, or to two that list it in
+    /// opposite directions.
+    pub one_sided: u32,
+    /// First positions of the vertices in the world, m: vertex_count times x, y, z, each at most 1e3
+    /// in magnitude; the library copies them.
+    pub vertices: *const f64,
+    /// Corners of triangles: triangle_count times three different indices of vertices, in any order.
+    /// No triangle may be so thin that the cross product of two of its sides is zero. The library
+    /// copies them.
+    pub triangles: *const u32,
+    /// Friction coefficient of its surface, 0 to 10; default 0.15. A contact with a thread has this
+    /// coefficient, any other contact the geometric mean of both.
+    pub friction: f64,
+    /// Thickness of the wall, m, 2e-6 to 0.2; default 0.5e-3. The triangles are its middle: other
+    /// bodies touch it at half the thickness from them.
+    pub thickness: f64,
+    /// Largest distance between two positions of a vertex that the host gives one after the other, m,
+    /// 1e-6 to 1e3; default 20e-3: 20 m/s at steps of 1 ms. vbss_scene_move_surface refuses a longer
+    /// one.
+    pub jump_limit: f64,
+    /// Numbers with which the host states how far each vertex gives way to a force: 0 (default): none, all
+    /// vertices are exactly where the host says; 1: one compliance for all directions; 9: a symmetric matrix of
+    /// 3 x 3. Values are set by vbss_scene_set_surface_compliance, and are zero before.
+    pub compliance_size: u32,
+    /// Zero.
+    pub reserved: u32,
+}
+
+extern "C" {
+    /// Fills a configuration of a host surface with the defaults.
+    ///
+    /// @param config  the configuration to fill
+    /// @param struct_size  `sizeof *config` as the caller was compiled
+    /// @return VBSS_OK, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_STRUCT_SIZE
+    /// @threads any thread, any time
+    /// @since 1.0
+    pub fn vbss_scene_surface_config_init(config: *mut vbss_scene_surface_config, struct_size: u32) -> vbss_result;
+    /// Adds a host surface: a static mesh that moves (vbss_scene_add_static_mesh). It counts as one of the
+    /// scene's rigid bodies (rigid_capacity). It touches neither itself nor static meshes nor other host
+    /// surfaces. No node can be pinned to it, and no hole be made in it. A driven body and the
+    /// surface do not press on each other, because both follow the host exactly: the guard holds both back.
+    /// Vertices with a compliance (vbss_scene_set_surface_compliance) give way to it, and a coupled tool gives
+    /// way itself. The call allocates all memory that steps need for the surface.
+    /// vbss_scene_get_rigid reports the sum of the contact forces on it.
+    ///
+    /// @param scene      the scene, of method VBSS_METHOD_IMPLICIT
+    /// @param config     the configuration; not NULL, because a surface needs triangles
+    /// @param body  its number in the scene, from 1 on, never reused
+    /// @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE,
+    /// VBSS_ERROR_UNKNOWN_FIELD, VBSS_ERROR_OUT_OF_RANGE (also: a triangle without area, with a
+    /// vertex that does not exist or occurs twice, triangles of a one-sided surface that are not
+    /// wound alike, or an overlap, if the scene refuses it), VBSS_ERROR_NOT_FINITE,
+    /// VBSS_ERROR_INCOMPATIBLE (another method), VBSS_ERROR_CAPACITY, VBSS_ERROR_OUT_OF_MEMORY or
+    /// VBSS_ERROR_BUSY
+    /// @threads one thread at a time per context
+    /// @since 1.0
+    pub fn vbss_scene_add_surface(scene: *mut vbss_scene, config: *const vbss_scene_surface_config, body: *mut u32) -> vbss_result;
+    /// Sets the positions of the vertices at the end of the next step that begins. Without a call the
+    /// surface stays where it is. Velocities follow from the positions. A refused call changes nothing.
+    ///
+    /// The positions are an input of the scene. Snapshots save them. A log stores the state of the whole
+    /// scene with each call (vbss_scene_set_recorder), and so replays without the host's model; it grows by
+    /// the size of a snapshot each time.
+    ///
+    /// @param scene         the scene
+    /// @param body          a host surface
+    /// @param vertices      vertex_count times x, y, z, m, each at most 1e3 in magnitude
+    /// @param vertex_count  number of vertices, as the surface was added
+    /// @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_NOT_FOUND (no such
+    /// body), VBSS_ERROR_INCOMPATIBLE (the body is no host surface), VBSS_ERROR_NOT_FINITE,
+    /// VBSS_ERROR_OUT_OF_RANGE (another number of vertices; a vertex that is farther than
+    /// jump_limit from its last position; a triangle that has lost its area or whose normal has
+    /// turned by 90 degrees or more since the last positions), VBSS_ERROR_CAPACITY (the record has
+    /// no room) or VBSS_ERROR_BUSY
+    /// @threads one thread at a time per context
+    /// @since 1.0
+    pub fn vbss_scene_move_surface(scene: *mut vbss_scene, body: u32, vertices: *const f64, vertex_count: u32) -> vbss_result;
+    /// Sets how far each vertex of a host surface gives way to a contact force: the scene finds contacts at the
+    /// position that the host has given plus compliance times force. So it solves for the force that the host's
+    /// model bears at the end of the step, and a light or soft surface stays stable
+    /// (docs/guides/host-surface.md). The best value is the displacement in the host's model by a unit force that
+    /// acts during the whole next step: h^2 / mass for a free particle, or the block of the inverse of the host's
+    /// system matrix. The host gives the positions that its vertices reach without contact force, and then applies
+    /// the returned forces during the same step. The vertices then end where VBSS_SCENE_SURFACE_VIEW_POSITIONS
+    /// says. Vertices that no contact touches stay where the host says. At most 1,024 vertices of a surface are
+    /// touched at a time, or the step returns VBSS_ERROR_CAPACITY.
+    ///
+    /// The call ends a suspended step. Snapshots save the compliance, and a log stores the state with each call.
+    ///
+    /// @param scene       the scene
+    /// @param body        a host surface that was added with compliance_size 1 or 9
+    /// @param compliance  vertex_count times compliance_size numbers, m/N: for each vertex a number, or the rows of a
+    /// symmetric, positive definite matrix of which no pivot is below 1e-6 of the largest number. The largest
+    /// number of a vertex is 1e-9 to 1e6; all zero: the vertex is exactly where the host says
+    /// @param count       number of these numbers
+    /// @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_NOT_FOUND (no such
+    /// body), VBSS_ERROR_INCOMPATIBLE (no host surface, or one of compliance_size 0),
+    /// VBSS_ERROR_NOT_FINITE, VBSS_ERROR_OUT_OF_RANGE, VBSS_ERROR_OUT_OF_MEMORY (only while a step is
+    /// suspended), VBSS_ERROR_CAPACITY (the record has no room) or VBSS_ERROR_BUSY
+    /// @threads one thread at a time per context
+    /// @since 1.0
+    pub fn vbss_scene_set_surface_compliance(scene: *mut vbss_scene, body: u32, compliance: *const f64, count: u32) -> vbss_result;
+    /// Describes an array of a host surface without copying it.
+    ///
+    /// @param scene        the scene
+    /// @param body         a host surface
+    /// @param field        the array
+    /// @param view    where it is; valid until the next step, move or edit of the scene
+    /// @param struct_size  `sizeof *view` as the caller was compiled
+    /// @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_NOT_FOUND (no such
+    /// body), VBSS_ERROR_INCOMPATIBLE (the body is no host surface), VBSS_ERROR_OUT_OF_RANGE (no
+    /// such array), VBSS_ERROR_STRUCT_SIZE or VBSS_ERROR_BUSY
+    /// @threads one thread at a time per context
+    /// @since 1.0
+    pub fn vbss_scene_get_surface_view(scene: *mut vbss_scene, body: u32, field: vbss_scene_surface_field, view: *mut vbss_view, struct_size: u32) -> vbss_result;
+}
