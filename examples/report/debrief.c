@@ -94,9 +94,9 @@ static void add_mistake(advice_list *l, const followed *t, uint32_t mistake)
         }
     }
     if (times > 0) {
-        (void)snprintf(words, sizeof words, "%s That took %.1f s%s%s %s",
+        (void)snprintf(words, sizeof words, "%s That took %.1f s%s. %s",
                        vbss_session_mistake_string((vbss_session_mistake)mistake), seconds,
-                       times > 1 ? ", more than once" : "", ".",
+                       times > 1 ? " in all" : "",
                        vbss_session_remedy_string((vbss_session_mistake)mistake));
         add(l, seconds, first->time, first->step, words);
     }
@@ -104,13 +104,13 @@ static void add_mistake(advice_list *l, const followed *t, uint32_t mistake)
 
 /* ---- phases against those of the scripted surgeon */
 
-/* s; the mean of the seeds 0, 1 and 2. 0: no such phase. */
+/* s, of seed 0. 0: no such phase, or it goes on in the next one. */
 static const double expert[VBSS_SESSION_PHASE_DONE] = {
-    [VBSS_SESSION_PHASE_LOADING] = 1.5,  [VBSS_SESSION_PHASE_APPROACH] = 4.0,
-    [VBSS_SESSION_PHASE_IN_DRAIN] = 3.0, [VBSS_SESSION_PHASE_PULL_THROUGH] = 15.0,
-    [VBSS_SESSION_PHASE_THROW_1] = 20.0, [VBSS_SESSION_PHASE_TRANSFER_1] = 6.0,
-    [VBSS_SESSION_PHASE_THROW_2] = 20.0, [VBSS_SESSION_PHASE_TRANSFER_2] = 6.0,
-    [VBSS_SESSION_PHASE_THROW_3] = 20.0, [VBSS_SESSION_PHASE_CUT] = 6.0,
+    [VBSS_SESSION_PHASE_LOADING] = 1.4,     [VBSS_SESSION_PHASE_APPROACH] = 2.5,
+    [VBSS_SESSION_PHASE_IN_DRAIN] = 1.9,    [VBSS_SESSION_PHASE_PULL_THROUGH] = 9.6,
+    [VBSS_SESSION_PHASE_THROW_1] = 12.1,    [VBSS_SESSION_PHASE_THROW_2] = 24.4,
+    [VBSS_SESSION_PHASE_TRANSFER_2] = 11.9, [VBSS_SESSION_PHASE_THROW_3] = 13.0,
+    [VBSS_SESSION_PHASE_CUT] = 9.9,
 };
 
 static void add_phase_time(advice_list *l, const facts *f, vbss_session_phase number)
