@@ -150,36 +150,52 @@ static void bend_in_scene_is_that_of_thread_alone(void **state)
 
 /* ---- descriptions of earlier versions */
 
-/* The description of a thread without the fields of version 2. */
-static void description_of_version_1_has_no_memory(void **state)
+/* Reads the description of `config` without its last fields, as an older version had it. */
+static vbss_thread_config read_without(const vbss_thread_config *config,
+                                       vbss_baseline_config *baseline, uint8_t version,
+                                       size_t fields)
 {
-    (void)state;
-    const size_t section_end = 8, fields = 4 * (size_t)16;
-    small s;
-    small_begin(&s);
-    vbss_thread_config config, read;
-    vbss_baseline_config baseline, read_baseline;
-    s.thread.length = 0.1;
-    expect_ok(vbss_thread_read_config(s.context, &s.thread, &config, &baseline));
+    const size_t section_end = 8, removed = 16 * fields;
+    vbss_thread_config read;
     uint8_t bytes[4096];
     vbss_stream stream;
+    vbss_thread_config copy = *config;
+    memset(&read, 0, sizeof read);
     vbss_stream_begin_write(&stream, bytes, sizeof bytes);
-    vbss_thread_visit_config(&stream, &config, &baseline);
+    vbss_thread_visit_config(&stream, &copy, baseline);
     expect_ok(stream.result);
     size_t count = stream.position;
-    assert_int_equal(2, bytes[2]);
-    bytes[2] = 1;
-    memmove(bytes + count - section_end - fields, bytes + count - section_end, section_end);
-    memset(&read, 0, sizeof read);
+    assert_int_equal(3, bytes[2]);
+    bytes[2] = version;
+    memmove(bytes + count - section_end - removed, bytes + count - section_end, section_end);
+    vbss_baseline_config read_baseline;
     memset(&read_baseline, 0, sizeof read_baseline);
-    vbss_stream_begin_read(&stream, bytes, count - fields);
+    vbss_stream_begin_read(&stream, bytes, count - removed);
     vbss_thread_visit_config(&stream, &read, &read_baseline);
     expect_ok(stream.result);
-    assert_int_equal(config.segment_count, read.segment_count);
-    expect_near(config.finest_length, read.finest_length, 0.0);
-    expect_near(0.0, read.yield_curvature, 0.0);
-    expect_near(0.0, read.relaxation_ratio, 0.0);
-    expect_near(1.0, read.relaxation_time, 0.0);
+    return read;
+}
+
+static void descriptions_of_older_versions_have_no_memory_and_no_twist(void **state)
+{
+    (void)state;
+    small s;
+    small_begin(&s);
+    vbss_thread_config config;
+    vbss_baseline_config baseline;
+    s.thread.length = 0.1;
+    s.thread.yield_curvature = 300.0;
+    expect_ok(vbss_thread_read_config(s.context, &s.thread, &config, &baseline));
+    const vbss_thread_config first = read_without(&config, &baseline, 1, 6);
+    const vbss_thread_config second = read_without(&config, &baseline, 2, 2);
+    assert_int_equal(config.segment_count, first.segment_count);
+    expect_near(config.finest_length, first.finest_length, 0.0);
+    expect_near(0.0, first.yield_curvature, 0.0);
+    expect_near(0.0, first.relaxation_ratio, 0.0);
+    expect_near(1.0, first.relaxation_time, 0.0);
+    expect_near(300.0, second.yield_curvature, 0.0);
+    expect_near(0.0, second.torsional_stiffness, 0.0);
+    expect_near(0.0, second.rest_twist, 0.0);
     small_end(&s);
 }
 
@@ -189,7 +205,7 @@ int test_bending_set(void)
         cmocka_unit_test(wound_thread_springs_back_to_set),
         cmocka_unit_test(scene_with_bent_thread_continues_with_same_bits),
         cmocka_unit_test(bend_in_scene_is_that_of_thread_alone),
-        cmocka_unit_test(description_of_version_1_has_no_memory),
+        cmocka_unit_test(descriptions_of_older_versions_have_no_memory_and_no_twist),
     };
     return cmocka_run_group_tests_name("scene.bending_set", tests, NULL, NULL);
 }
