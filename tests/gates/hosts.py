@@ -102,11 +102,11 @@ def grown_library(g):
     """A later minor version, built as debug builds are: bits do not depend on that."""
     copy = g.copy_source("later")
     grow_headers(copy / "include/vblast_ss")
-    last = CONFIG_SIZE.format(288) + ", "
-    gate.replace_once(copy / THREAD, last + "0};", last + CONFIG_SIZE.format(296) + ", 0};")
+    last = CONFIG_SIZE.format(304) + ", "
+    gate.replace_once(copy / THREAD, last + "0};", last + CONFIG_SIZE.format(312) + ", 0};")
     for path in (copy / THREAD, copy / "lib/thread/config_fields.c"):
-        gate.replace_once(path, "sizeof(vbss_thread_config) == " + CONFIG_SIZE.format(288),
-                          "sizeof(vbss_thread_config) == " + CONFIG_SIZE.format(296))
+        gate.replace_once(path, "sizeof(vbss_thread_config) == " + CONFIG_SIZE.format(304),
+                          "sizeof(vbss_thread_config) == " + CONFIG_SIZE.format(312))
     gate.replace_once(copy / VIEWS, "sizeof(vbss_thread_statistics) == 160", "sizeof(vbss_thread_statistics) == 168")
     gate.replace_once(copy / VIEWS, "{160, 0}", "{160, 168, 0}")
     result = copy / "lib/base/result.c"

@@ -38,15 +38,14 @@
     ended: false, frames: 0,
     begin(seed) {
       const page = window.suturing;
-      page.hearWanted = wanted => this.lead(wanted);
       page.captions.begin();
       page.headset.renew();
       page.pause(true);
       drawSome(page.renderer);
       page.send({ name: 'perform', seed });
       window.standIn.before = () => new Promise(done => {
-        page.hearStepped = hashes => {
-          page.hashes = hashes;
+        page.hearWanted = wanted => {
+          this.lead(wanted);
           now += STEPS;
           done(now);
         };
