@@ -10,6 +10,7 @@ np = pytest.importorskip("numpy")
 
 import vblast_ss as vb  # noqa: E402
 from conftest import BINDING  # noqa: E402
+from vblast_ss._throw import z_of  # noqa: E402
 from vblast_ss.environment import (FIELDS, GRIP, SHOWN, Box, RandomHands, ScriptedThrow, ThrowEnvironment, run)  # noqa: E402
 
 STEADY = {"tremor": 0.0, "scatter": 0.0}
@@ -107,6 +108,22 @@ def test_jaws_hold_only_what_is_within_reach_and_a_drop_costs(environment):
         action[GRIP] = -1.0
         seen, reward, *_ = longer.step(action)
         assert not seen[FIELDS["holds"]] and reward == pytest.approx(-5.01)
+
+
+def test_jaws_that_close_bring_the_tail_between_them():
+    action = np.zeros(8)
+    action[GRIP] = 1.0
+    with ThrowEnvironment() as longer:
+        hands = ScriptedThrow()
+        hands.phase = "travel"
+        seen, _ = longer.reset(seed=0, options=STEADY)
+        while not seen[FIELDS["holds"]]:
+            seen = longer.step(hands(seen))[0]
+        for _ in range(3):
+            seen = longer.step(action)[0]
+        tool = longer.scene.tool(longer.scene.w)
+        grasp = np.array(tool.position) + 0.5e-3 * z_of(np.array(tool.orientation))
+        assert np.abs(seen[FIELDS["tail"]] - grasp).max() < 1e-5
 
 
 def test_scripted_hands_tie_a_throw_and_are_rewarded():

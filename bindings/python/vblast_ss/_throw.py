@@ -3,7 +3,8 @@ tool C that holds the limb.
 
 x right, y away, z up, the top of the drain at 0. The drain is a cylinder that does not give, the thread is pinned
 where it comes out of it at both marks. Tools are rods with jaws, coupled to where hands tell them to be; a grasp is
-three pins: no jaws move. So this is a throw as far as thread, contact and hands go, cheap enough for thousands."""
+three pins, which bring the tail to the middle of the jaws: no jaws move. So this is a throw as far as thread, contact and
+hands go, cheap enough for thousands."""
 from __future__ import annotations
 
 import math
@@ -11,7 +12,7 @@ from typing import Any, NamedTuple, Optional
 
 import numpy as np
 
-from ._pose import Vector, across, dot, length, tremor, turned, unit, unit_rows
+from ._pose import Pose, Vector, across, dot, length, tremor, turned, unit, unit_rows
 from .context import Context
 from .elementary import cos, sin
 from .knots import Knot, KnotDetector
@@ -31,6 +32,7 @@ TAIL = 30e-3  # of the thread beside the drain
 LIMB = 117e-3
 BEND = 15e-3  # of the limb, from where it comes out to the way to C
 TAIL_NODE = 1  # where W takes it: a longer end gets in the way of the loops
+HELD = range(TAIL_NODE - 1, TAIL_NODE + 2)
 JAW_LENGTH, JAW_RADIUS = 13e-3, 0.7e-3
 SHAFT_LENGTH, SHAFT_RADIUS = 0.12, 2.5e-3
 CLEAR = 2.0 * JAW_RADIUS + 0.2e-3  # of the tail from the middle of W's jaws in the beginning, m
@@ -109,6 +111,8 @@ class ThrowScene:
         self.angle = -0.5 * math.pi  # of C about W
         self.steps = 0
         self.holds: list[int] = []  # pins of W on the tail
+        self._held = np.zeros((3, 3))  # where it was taken, in W's frame
+        self._closing = False
         points, marks, self.held_node = self._lay(unit(np.array((-0.05, -0.6, 0.75))))
         w = self._clear_of(points[:marks[0]], tip) + GRASP * axis_of_w(tip)
         self.right_mark, self.left_mark = marks
@@ -182,14 +186,24 @@ class ThrowScene:
         off = tail - self.w.at
         if self.holds or length(off) >= REACH:
             return bool(self.holds)
-        self.holds = [self.scene.pin_thread(self.thread_body, node, self.w.body)
-                      for node in range(TAIL_NODE - 1, TAIL_NODE + 2)]
+        tool = self.tool(self.w)
+        pose = Pose(np.array(tool.position), np.array(tool.orientation)).inverse()
+        self._held = np.array([pose.point(self.positions[node]) for node in HELD])
+        self._pin(0.0)
+        self._closing = True
         return True
+
+    def _pin(self, share: float) -> None:
+        """Holds the tail a share of the way from where it was taken to the middle of the jaws."""
+        self.let_go()
+        points = self._held + share * (np.array((0.0, 0.0, GRASP)) - self._held[1])
+        self.holds = [self.scene.pin_thread(self.thread_body, node, self.w.body, point) for node, point in zip(HELD, points)]
 
     def let_go(self) -> None:
         for pin in self.holds:
             self.scene.unpin_thread(pin)
         self.holds = []
+        self._closing = False
 
     def move(self, w: Vector, c: Vector, angle: float, steps: int) -> None:
         """Both hands go evenly to where they shall be after some steps, C by then at an angle about W."""
@@ -207,6 +221,9 @@ class ThrowScene:
             hand.at, hand.stand = np.array(to), stand
         scene = self.scene
         for i in range(steps):
+            if self._closing:
+                self._pin((i + 1) / steps)
+                self._closing = i + 1 < steps
             for body, places, stands in ways:
                 scene.set_rigid_target(body, places[i], stands[i])
             scene.step(STEP)
