@@ -162,7 +162,7 @@ static double distance_of_plate(vec3 x)
     return fabs(x.y) - 1e-3;
 }
 
-static void throw_at(distance_function f, double least, int trial)
+static void throw_at(distance_function f, double min_distance, int trial)
 {
     small s;
     vbss_thread *thread;
@@ -179,7 +179,7 @@ static void throw_at(distance_function f, double least, int trial)
     for (int step = 0; step < 20; step++) {
         small_steps(&s, 1, 1e-3);
         for (uint32_t i = 0; i < 21; i++) {
-            assert_true(f(small_node(thread, i)) > least);
+            assert_true(f(small_node(thread, i)) > min_distance);
         }
     }
     small_end(&s);

@@ -8,7 +8,7 @@
 #define SCENE_DESCRIPTION VBSS_CODE('D', 'E', 'S', 'C')
 enum { SCENE_DESCRIPTION_VERSION = 1 };
 
-/* What a record describes. Snapshots have these numbers. */
+/* What a record describes. Snapshots have these numbers. Chosen. */
 enum {
     SCENE_DESCRIBED_THREAD = 1,
     SCENE_DESCRIBED_PIECE = 2, /* an entry for a piece of the thread before it, cut off or spare */
