@@ -1,6 +1,6 @@
-/* Attachments: pins, clamps, springs, forces and masses on single nodes. */
+/* Attachments: pins, clamps, springs, forces, masses and rolls on single nodes. */
 #include "base/error.h"
-#include "thread/thread.h"
+#include "thread/twist.h"
 
 bool vbss_thread_prescribes_motion(vbss_thread_attachment_kind kind)
 {
@@ -83,5 +83,39 @@ void vbss_thread_commit_attachments(thread_object *t, double h)
         a->position = a->target;
         a->direction = a->target_direction;
         a->roll = a->target_roll;
+    }
+}
+
+/* ---- holders of the section */
+
+void vbss_thread_list_section_holders(thread_object *t)
+{
+    t->holder_count = 0;
+    for (uint32_t i = 0; i < t->config.attachment_capacity; i++) {
+        const thread_attachment *a = &t->attachments[i];
+        if (a->id == 0 || !thread_holds_section(a)) {
+            continue;
+        }
+        uint32_t k = t->holder_count++;
+        for (; k > 0 && t->holders[k - 1].node > a->node; k--) {
+            t->holders[k] = t->holders[k - 1];
+        }
+        t->holders[k] =
+            (thread_section_holder){.attachment_index = i,
+                                    .node = a->node,
+                                    .is_clamp = a->kind == VBSS_THREAD_ATTACHMENT_CLAMP};
+    }
+    vbss_thread_set_section_holders(t, 0.0);
+}
+
+void vbss_thread_set_section_holders(thread_object *t, double fraction)
+{
+    for (uint32_t k = 0; k < t->holder_count; k++) {
+        thread_section_holder *holder = &t->holders[k];
+        const thread_attachment *a = &t->attachments[holder->attachment_index];
+        holder->roll = a->roll + fraction * (a->target_roll - a->roll);
+        if (holder->is_clamp) {
+            holder->direction = vbss_thread_attachment_direction(a, fraction);
+        }
     }
 }

@@ -1,38 +1,6 @@
-/* Attachments that hold the section of a thread with twist: the list, holders that come and go, and those
- * that belong to bodies of a scene. */
+/* Attachments that hold the section of a thread with twist: holders that come and go, and those that belong
+ * to bodies of a scene. */
 #include "thread/twist.h"
-
-void vbss_thread_list_section_holders(thread_object *t)
-{
-    t->holder_count = 0;
-    for (uint32_t i = 0; i < t->config.attachment_capacity; i++) {
-        const thread_attachment *a = &t->attachments[i];
-        if (a->id == 0 || !thread_holds_section(a)) {
-            continue;
-        }
-        uint32_t k = t->holder_count++;
-        for (; k > 0 && t->holders[k - 1].node > a->node; k--) {
-            t->holders[k] = t->holders[k - 1];
-        }
-        t->holders[k] =
-            (thread_section_holder){.attachment_index = i,
-                                    .node = a->node,
-                                    .is_clamp = a->kind == VBSS_THREAD_ATTACHMENT_CLAMP};
-    }
-    vbss_thread_set_section_holders(t, 0.0);
-}
-
-void vbss_thread_set_section_holders(thread_object *t, double fraction)
-{
-    for (uint32_t k = 0; k < t->holder_count; k++) {
-        thread_section_holder *holder = &t->holders[k];
-        const thread_attachment *a = &t->attachments[holder->attachment_index];
-        holder->roll = a->roll + fraction * (a->target_roll - a->roll);
-        if (holder->is_clamp) {
-            holder->direction = vbss_thread_attachment_direction(a, fraction);
-        }
-    }
-}
 
 /* The nearest holder on either side of a node; NULL: there is none. */
 static const thread_attachment *find_holder_beside(const thread_object *t, uint32_t node,

@@ -76,13 +76,15 @@ vec3 vbss_thread_chord_direction(const vec3 *x, uint32_t segment);
 vec3 vbss_thread_holder_direction(const vec3 *x, uint32_t node_count,
                                   const thread_section_holder *holder);
 
-/* ---- section_holders.c */
+/* ---- attachments.c: holders of the section */
 
 /* Lists the holders of the section in the order of their nodes. */
 void vbss_thread_list_section_holders(thread_object *t);
 
 /* Sets directions and rolls of holders at a fraction 0..1 of the step. */
 void vbss_thread_set_section_holders(thread_object *t, double fraction);
+
+/* ---- section_holders.c */
 
 /* Adds a holder to the state, or takes it out: its attachment is in, or still in, the list of attachments.
  * The twist per length of the thread around it does not change. */
