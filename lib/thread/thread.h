@@ -39,8 +39,9 @@ typedef struct thread_attachment {
     /* Twist, CLAMP and ROLL: angle about the thread, rad: current, after the next step, and alternate
      * as above */
     double roll, target_roll, alternate_roll;
-    uint32_t owner;         /* ROLL of a scene: a number of its pin or grasp; 0: a host's */
-    quat owner_orientation; /* of the body that it belongs to, at the end of the step of its target_roll */
+    uint32_t owner; /* ROLL of a scene: a number of its pin or grasp; 0: a host's */
+    quat
+        owner_orientation; /* of the body that it belongs to, at the end of the step of its target_roll */
 } thread_attachment;
 
 /* What one side of a node remembers of its bends; see bending_memory.c. */
