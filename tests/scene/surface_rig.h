@@ -24,8 +24,9 @@ static inline void surface_make(surface_sheet *sheet, uint32_t cells, double sid
 {
     uint32_t count = 0;
     for (uint32_t i = 0; i < (cells + 1) * (cells + 1); i++) {
-        vec3_store(sheet->rest[i], vec3_make(side * ((double)(i / (cells + 1)) / cells - 0.5), 0.0,
-                                             side * ((double)(i % (cells + 1)) / cells - 0.5)));
+        const uint32_t row = i / (cells + 1), column = i % (cells + 1);
+        vec3_store(sheet->rest[i], vec3_make(side * ((double)row / cells - 0.5), 0.0,
+                                             side * ((double)column / cells - 0.5)));
     }
     for (uint32_t i = 0; i < cells * cells; i++, count += 2) {
         const uint32_t a = i / cells * (cells + 1) + i % cells, b = a + cells + 1;

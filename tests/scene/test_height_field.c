@@ -10,7 +10,8 @@ static vbss_scene_height_field_config hills(void)
 {
     vbss_scene_height_field_config c = vbss_scene_height_field_config_default();
     for (uint32_t i = 0; i < HEIGHTS; i++) {
-        heights[i] = 1e-3 * sin(0.9 * (i % COLUMNS)) * cos(1.1 * (double)(i / COLUMNS));
+        const uint32_t row = i / COLUMNS, column = i % COLUMNS;
+        heights[i] = 1e-3 * sin(0.9 * column) * cos(1.1 * row);
     }
     c.column_count = COLUMNS;
     c.row_count = ROWS;
@@ -43,8 +44,8 @@ static void add_triangles(small *s, const vbss_scene_height_field_config *c)
     double vertices[HEIGHTS][3];
     uint32_t triangles[2 * (COLUMNS - 1) * (ROWS - 1)][3], count = 0, body;
     for (uint32_t i = 0; i < HEIGHTS; i++) {
-        const vec3 local =
-            vec3_make(i % COLUMNS * c->spacing[0], heights[i], i / COLUMNS * c->spacing[1]);
+        const uint32_t row = i / COLUMNS, column = i % COLUMNS;
+        const vec3 local = vec3_make(column * c->spacing[0], heights[i], row * c->spacing[1]);
         vec3_store(vertices[i], vec3_add(vec3_load(c->position), local));
     }
     for (uint32_t i = 0; i < HEIGHTS - COLUMNS; i++) {

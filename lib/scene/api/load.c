@@ -363,6 +363,8 @@ static vbss_result read_mesh_arrays(scene_loader *l, const scene_static_mesh_des
     if (m->vertex_count > SCENE_MAX_MESH_VERTICES || m->triangle_count > SCENE_MAX_MESH_TRIANGLES) {
         return refuse(l, "no mesh has such counts");
     }
+    x->vertices = NULL;
+    x->triangles = NULL;
     x->table[0] = (vbss_array){&x->vertices, 3 * (size_t)m->vertex_count, sizeof *x->vertices};
     x->table[1] = (vbss_array){&x->triangles, 3 * (size_t)m->triangle_count, sizeof *x->triangles};
     VBSS_TRY(vbss_allocate_arrays(l->s->context, x->table, 2, "mesh"));

@@ -196,8 +196,8 @@ vbss_result vbss_scene_find_surface_net(vbss_context *context, const scene_sampl
     const size_t layer_size = (size_t)field->counts[0] * field->counts[1];
     net->vertex_count = net->triangle_count = 0;
     for (uint32_t z = 0; z + 1 < field->counts[2]; z++) {
-        const layer_pair l = {field, layers + (z % 2) * layer_size,
-                              layers + (1 - z % 2) * layer_size};
+        uint32_t *const even = layers, *const odd = even + layer_size;
+        const layer_pair l = {field, z % 2 == 0 ? even : odd, z % 2 == 0 ? odd : even};
         for (uint32_t y = 0; y + 1 < field->counts[1]; y++) {
             for (uint32_t x = 0; x + 1 < field->counts[0]; x++) {
                 const uint32_t at[3] = {x, y, z};

@@ -255,12 +255,12 @@ void vbss_scene_add_surface_forces(scene_object *s, const contact_constraint *co
         if (h == NULL) {
             continue;
         }
-        uint32_t nodes[3];
+        uint32_t nodes[3] = {0};
         double weights[3];
         const uint32_t count = vbss_scene_surface_feature_nodes(
             s, b, key->kind, is_b, is_b ? key->feature_b : key->feature_a, nodes);
         weights_of(constraint, scene_geometry_of(s, constraint)->barycentric, is_b, weights);
-        for (uint32_t i = 0; i < count; i++) {
+        for (uint32_t i = 0; i < count && i < 3; i++) {
             h->forces[nodes[i]] =
                 vec3_add_scaled(h->forces[nodes[i]], is_b ? -weights[i] : weights[i], force);
         }
