@@ -68,8 +68,9 @@ static void build_tissue(void)
                                    {1, 2, 0}, {2, 0, 1}, {2, 1, 0}};
     static const int step[3] = {ROW, LAYER, 1}; /* to the next node along x, y, z */
     for (int i = 0; i < NODES; i++) {
-        rest[i][0] = side * (i % LAYER / ROW - 0.5 * NX);
-        rest[i][1] = side * (i / LAYER - NY);
+        const int row = i % LAYER / ROW, layer = i / LAYER;
+        rest[i][0] = side * (row - 0.5 * NX);
+        rest[i][1] = side * (layer - NY);
         rest[i][2] = side * (i % ROW - 0.5 * NZ);
     }
     for (int cell = 0; cell < NX * NY * NZ; cell++) {
@@ -131,7 +132,7 @@ static uint32_t add_surface(vbss_context *context, vbss_scene *scene)
     for (uint32_t i = 0; i < NX * NZ; i++) {
         const uint32_t a = i / NZ * ROW + i % NZ, b = a + ROW;
         const uint32_t cell[2][3] = {{a, a + 1, b + 1}, {a, b + 1, b}};
-        memcpy(triangles[2 * i], cell, sizeof cell);
+        memcpy(triangles[2 * (size_t)i], cell, sizeof cell);
     }
     vbss_scene_surface_config config = vbss_scene_surface_config_default();
     config.vertex_count = LAYER;
@@ -215,7 +216,7 @@ int main(void)
                                           &positions, sizeof positions));
         static double c[SIZE];
         memset(c, 0, sizeof c);
-        memcpy(c + SIZE - 3 * LAYER, forces.data, 3 * LAYER * sizeof *c);
+        memcpy(c + SIZE - 3 * (size_t)LAYER, forces.data, 3 * LAYER * sizeof *c);
         solve(c);
         apart = deepest = force = 0.0;
         for (int i = 0; i < SIZE; i++) {
@@ -224,7 +225,7 @@ int main(void)
             u[i] = next;
         }
         for (int i = 0; i < LAYER; i++) {
-            const double *x = (const double *)positions.data + 3 * i;
+            const double *x = (const double *)positions.data + 3 * (size_t)i;
             const double own = rest[NODES - LAYER + i][1] + u[SIZE - 3 * LAYER + 3 * i + 1];
             apart = fmax(apart, fabs(x[1] - own));
             deepest = fmin(deepest, own);

@@ -54,7 +54,7 @@ const float *page_view(void)
                               BARREL_SPREAD};
     memcpy(numbers, v.seen.m, sizeof v.seen.m);
     memcpy(numbers + MATRIX, v.light.m, sizeof v.light.m);
-    memcpy(numbers + 2 * MATRIX, rest, sizeof rest);
+    memcpy(numbers + 2 * (size_t)MATRIX, rest, sizeof rest);
     return numbers;
 }
 
@@ -70,7 +70,7 @@ const uint32_t *page_draw(void)
         if (vbss_visual_get_view(p->visual, field, &view, sizeof view) != VBSS_OK) {
             return NULL;
         }
-        arrays[2 * field] = (uint32_t)(uintptr_t)view.data; /* of 32 bits in the module */
+        arrays[2 * (size_t)field] = (uint32_t)(uintptr_t)view.data; /* of 32 bits in the module */
         arrays[2 * field + 1] = (uint32_t)view.count;
     }
     return arrays;

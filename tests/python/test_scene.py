@@ -324,6 +324,23 @@ def test_a_host_surface_lifts_a_thread_and_returns_forces(context):
         scene.move_surface(surface, [(x, 0.1, z) for x, _, z in corners])
 
 
+def test_a_host_surface_gives_way_to_forces(context):
+    corners = [(-0.05, 0, -0.05), (-0.05, 0, 0.05), (0.05, 0, 0.05), (0.05, 0, -0.05)]
+    heights = []
+    for compliance in (0.0, 10.0):  # m/N
+        scene = vb.Scene(context)
+        surface = scene.add_surface(corners, [(0, 1, 2), (0, 2, 3)], compliance_size=1)
+        scene.set_surface_compliance(surface, [compliance] * 4)
+        thread = vb.Thread(context, length=0.04, segment_count=20, start=(-0.02, 0.3e-3, 0), gravity=(0, -9.81, 0))
+        scene.add(thread)
+        for _ in range(100):
+            scene.step(1e-3)
+        heights.append(sum(position[1] for position in scene.surface(surface, vb.SceneSurfaceField.POSITIONS)))
+    assert heights[0] == 0.0 and heights[1] < -1e-5, heights
+    with pytest.raises(vb.Error):
+        scene.set_surface_compliance(surface, [1.0] * 3)
+
+
 def test_only_method_vblast_has_baseline_statistics():
     with vb.Scene(method="vblast") as scene:
         thread = vb.Thread(scene.context, method="vblast", length=0.1, segment_count=20)

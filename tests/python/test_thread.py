@@ -27,6 +27,18 @@ def test_a_hanging_thread_weighs_what_it_weighs(context):
     assert thread.lengths[0] > thread.rest_lengths[0]
 
 
+def test_a_clamp_rolls_a_thread_with_torsional_stiffness(context):
+    thread = vb.Thread(context, segment_count=20, length=0.02, torsional_stiffness=2e-8, gravity=(0, 0, 0))
+    ends = [thread.attach("clamp", node, direction=(1, 0, 0)) for node in (0, 20)]
+    thread.set_roll(ends[1], 0.5)
+    thread.step()
+    torques = [thread.reaction(end).torque[0] for end in ends]
+    assert torques[1] == pytest.approx(2e-8 * 0.5 / 0.02, rel=1e-9) and torques[0] == pytest.approx(-torques[1], rel=1e-9)
+    plain = vb.Thread(context, segment_count=4)
+    with pytest.raises(vb.Error):
+        plain.set_roll(plain.attach("clamp", 0, direction=(1, 0, 0)), 0.5)
+
+
 def test_attachments_move_and_go(context):
     thread = vb.Thread(context, segment_count=10, gravity=(0, 0, 0))
     pin = thread.attach(vb.ThreadAttachmentKind.PIN, 10)

@@ -17,7 +17,8 @@ typedef struct rocking {
 static void place_vertices(uint32_t step, double x[ROW * ROW][3])
 {
     for (int i = 0; i < ROW * ROW; i++) {
-        x[i][0] = 10e-3 * (i / ROW) - 20e-3;
+        const int row = i / ROW;
+        x[i][0] = 10e-3 * row - 20e-3;
         x[i][2] = 10e-3 * (i % ROW) - 20e-3;
         x[i][1] = -1e-3 + 0.02 * x[i][0] * sin(0.2 * step) + 0.5e-3 * sin(0.3 * step);
     }

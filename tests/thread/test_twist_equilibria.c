@@ -160,7 +160,7 @@ static void helix_needs_force_and_moment_of_love(void **state)
             double up, along;
             vbss_sincos(s * cosine / radius, &up, &along);
             x[i] = vec3_make(radius * along, radius * up, s * sine);
-            vec3_store(numbers + 3 * i, x[i]);
+            vec3_store(numbers + 3 * (size_t)i, x[i]);
             tangent[i > 0] = vec3_make(-cosine * up, cosine * along, sine);
             binormal = vec3_make(sine * up, -sine * along, cosine);
         }

@@ -20,7 +20,7 @@ static vbss_system_capacity base_capacity(const scene_object *s, uint32_t n)
                                 : SCENE_MATRIX_BASE + (uint64_t)SCENE_MATRIX_PER_BLOCK * n;
     c.pairs = smaller(all, matrix / SCENE_MATRIX_PER_PAIR);
     c.factor = smaller(all, matrix / SCENE_MATRIX_PER_FACTOR_PAIR);
-    c.arena = smaller(7 * all + 2 * n + 1, matrix);
+    c.arena = smaller(7 * all + 2 * (uint64_t)n + 1, matrix);
     return c;
 }
 
