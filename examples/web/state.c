@@ -69,6 +69,22 @@ static void put_task(const task *k)
     put("}");
 }
 
+/* ---- the coach */
+
+static void put_coaching(const task *k)
+{
+    vbss_session_coaching c;
+    if (k->session == NULL || vbss_session_get_coaching(k->session, &c, sizeof c) != VBSS_OK) {
+        return;
+    }
+    put(",\"coach\":{\"goal\":\"%s\",\"distance\":%.5f,\"turns\":%.2f", c.sentence, c.distance,
+        c.turns);
+    if ((c.geometry & (uint32_t)VBSS_SESSION_GEOMETRY_POINT) != 0) {
+        put(",\"point\":[%.6f,%.6f,%.6f]", c.point[0], c.point[1], c.point[2]);
+    }
+    put(",\"mistake\":\"%s\",\"remedy\":\"%s\"}", c.mistake_sentence, c.remedy);
+}
+
 /* ---- what has happened */
 
 static void put_events(page_session *p)
@@ -156,6 +172,7 @@ const char *page_state(void)
     const camera_view view = camera_get_view(&p->camera, p->aspect);
     put("{\"scene\":\"%s\",\"steps\":%llu", p->live.scene->name, (unsigned long long)p->live.steps);
     put_task(&p->live.stage.task);
+    put_coaching(&p->live.stage.task);
     put_knot(p);
     put_events(p);
     put(",\"tools\":[");

@@ -2,6 +2,7 @@
 const $ = id => document.getElementById(id);
 const KEPT = 4000; // ms that a caption stays
 const DONE = 11; // the first of the phases that are final
+const COACH = [19, 20]; // events of the coach, whose words are beside the picture anyway
 const SLOW = 0.9; // of real time
 
 const millimetres = value => (value === null ? '\u2013' : value.toFixed(2));
@@ -24,7 +25,7 @@ export class Captions {
     this.reported = false;
     this.knot = undefined;
     $('report').hidden = true;
-    for (const id of ['phase', 'measures', 'counts', 'score', 'caption', 'tool', 'clock']) set(id, '');
+    for (const id of ['goal', 'mistake', 'phase', 'measures', 'counts', 'score', 'caption', 'tool', 'clock']) set(id, '');
   }
 
   say(words, now) {
@@ -39,6 +40,14 @@ export class Captions {
     set('counts', `throws ${task.throws}, seated ${task.seated}, hands changed ${task.transfers}, tails cut ${task.cut}`);
     set('score', `score ${task.score.toFixed(0)}, penalties ${task.penalties.toFixed(0)}, drops ${task.drops}`);
     if (task.number >= DONE && !this.reported) this.report(task);
+  }
+
+  // What to do next, how far that is, and what went wrong.
+  putCoach(coach) {
+    const far = coach && coach.distance > 0.5e-3 ? ` ${millimetres(1000 * coach.distance)} mm` : '';
+    const turns = coach && coach.turns > 0.1 ? ` ${coach.turns.toFixed(1)} turns` : '';
+    set('goal', coach ? `${coach.goal}${far}${turns}` : '');
+    set('mistake', coach && coach.mistake ? `${coach.mistake} ${coach.remedy}` : '');
   }
 
   // Of a scene without a task.
@@ -102,7 +111,8 @@ export class Captions {
   }
 
   show({ state, clock }, side, isTaken, now) {
-    for (const event of state.events) this.say(event.words, now);
+    for (const event of state.events) if (!COACH.includes(event.kind)) this.say(event.words, now);
+    this.putCoach(state.coach);
     if (state.task) this.putTask(state.task);
     else this.putKnot(state.knot, now);
     this.putTool(state.tools[side], side, isTaken, clock.paused);
