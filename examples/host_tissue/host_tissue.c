@@ -3,6 +3,7 @@
  * In each step the host computes where its nodes go without the thread, gives the surface to the scene, and then applies the
  * forces that the scene returns. How far a vertex gives way to a force in a step, a block of 3 x 3 of the inverse of the
  * host's matrix, goes to the scene once: without it a light surface is not stable. */
+#include <locale.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -191,6 +192,7 @@ int main(void)
     vbss_context *context;
     vbss_scene *scene;
     vbss_scene_config config = vbss_scene_config_default();
+    (void)setlocale(LC_NUMERIC, "C");      /* numbers with a decimal point */
     config.mode = VBSS_SCENE_MODE_OFFLINE; /* each call finishes its step */
     check(NULL, vbss_context_create(NULL, &context));
     check(context, vbss_scene_create(context, &config, &scene));

@@ -324,7 +324,7 @@ def test_a_host_surface_lifts_a_thread_and_returns_forces(context):
         scene.move_surface(surface, [(x, 0.1, z) for x, _, z in corners])
 
 
-def test_a_host_surface_gives_way_to_forces(context):
+def test_a_host_surface_yields_to_forces(context):
     corners = [(-0.05, 0, -0.05), (-0.05, 0, 0.05), (0.05, 0, 0.05), (0.05, 0, -0.05)]
     heights = []
     for compliance in (0.0, 10.0):  # m/N
