@@ -205,13 +205,14 @@ bool vbss_scene_is_compliance(const mat3 *c)
         }
     }
     /* Pivots of its factor: the smallest is not below the smallest eigenvalue. */
-    const double first = c->m[0][0];
+    const double smallest = SCENE_MIN_COMPLIANCE_RATIO * largest, first = c->m[0][0];
+    if (largest < SCENE_MIN_COMPLIANCE || first < smallest) {
+        return largest == 0.0;
+    }
     const double second = c->m[1][1] - c->m[1][0] * c->m[1][0] / first;
     const double row = c->m[2][1] - c->m[2][0] * c->m[1][0] / first;
-    const double third = c->m[2][2] - c->m[2][0] * c->m[2][0] / first - row * row / second;
-    const double smallest = SCENE_MIN_COMPLIANCE_RATIO * largest;
-    return largest == 0.0 || (largest >= SCENE_MIN_COMPLIANCE && first >= smallest &&
-                              second >= smallest && third >= smallest);
+    return second >= smallest &&
+           c->m[2][2] - c->m[2][0] * c->m[2][0] / first - row * row / second >= smallest;
 }
 
 void vbss_scene_set_vertex_compliance(scene_host_surface *h, uint32_t vertex,
