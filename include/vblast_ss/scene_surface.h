@@ -26,10 +26,8 @@ typedef struct vbss_scene_surface_config {
     uint32_t struct_size;    /**< Size of this struct in bytes, set by the init function. */
     uint32_t vertex_count;   /**< Number of vertices, 3 to 65536. */
     uint32_t triangle_count; /**< Number of triangles, 1 to 131072. */
-    /** 0: bodies touch it from both sides (default). 1: only from the front, which is the side from
-     * which the corners of a triangle are counter-clockwise. Bodies behind it at the start of a step are
-     * left alone. Each edge of such a surface belongs to one triangle, or to two that list it in
-     * opposite directions. */
+    /** 0: both sides are solid. Other values are refused: the guard does not yet hold for one side of a
+     * surface that moves. */
     uint32_t one_sided;
     /** First positions of the vertices in the world, m: vertex_count times x, y, z, each at most 1e3
      * in magnitude; the library copies them. */

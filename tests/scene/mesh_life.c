@@ -110,7 +110,6 @@ static void add_mesh(life *l)
     surface.triangles = l->config.triangles;
     surface.thickness = l->config.thickness;
     surface.friction = l->config.friction;
-    surface.one_sided = l->config.one_sided;
     expect_ok(vbss_scene_add_surface(l->s.scene, &surface, &l->mesh));
     memcpy(l->x, l->vertices, sizeof l->x);
 }

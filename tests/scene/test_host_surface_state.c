@@ -46,7 +46,7 @@ static void refused_surfaces_change_nothing(void **state)
     bad.vertices = NULL;
     expect_result(VBSS_ERROR_NULL_ARGUMENT, vbss_scene_add_surface(s.scene, &bad, &body));
     bad = sheet.config;
-    bad.one_sided = 2;
+    bad.one_sided = 1;
     expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_scene_add_surface(s.scene, &bad, &body));
     bad = sheet.config;
     bad.thickness = (double)NAN;

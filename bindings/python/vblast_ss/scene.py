@@ -213,7 +213,7 @@ class Scene(Configured, Viewed, Saved):
 
     def add_surface(self, vertices: Any, triangles: Any, **settings: Any) -> int:
         """Adds a mesh whose vertices the host moves; returns its number. `vertices` (n x 3, m), `triangles` (m x 3
-        vertices); keywords as in vbss_scene_surface_config: friction, thickness, one_sided, jump_limit,
+        vertices); keywords as in vbss_scene_surface_config: friction, thickness, jump_limit,
         compliance_size."""
         points = doubles(vertices, "vertices", row=3)
         corners = numbers(triangles, ctypes.c_uint32, "triangles", row=3)

@@ -56,6 +56,10 @@ vbss_result vbss_scene_check_host_surface(vbss_context *context, const vbss_scen
     const vbss_scene_static_mesh_config mesh = mesh_of(c);
     VBSS_TRY(vbss_scene_check_static_mesh(context, &mesh));
     VBSS_TRY(vbss_check_range(context, c->jump_limit, 1e-6, 1e3, "jump_limit"));
+    if (c->one_sided != 0) {
+        return vbss_fail(context, VBSS_ERROR_OUT_OF_RANGE,
+                         "one_sided is %u: a host surface has two sides", c->one_sided);
+    }
     if (c->compliance_size != 0 && c->compliance_size != 1 && c->compliance_size != 9) {
         return vbss_fail(context, VBSS_ERROR_OUT_OF_RANGE, "compliance_size is %u, not 0, 1 or 9",
                          c->compliance_size);

@@ -74,10 +74,8 @@ namespace VblastSs
         }
 
         /// <summary>
-        /// 0: bodies touch it from both sides (default). 1: only from the front, which is the side
-        /// from which the corners of a triangle are counter-clockwise. Bodies behind it at the
-        /// start of a step are left alone. Each edge of such a surface belongs to one triangle, or
-        /// to two that list it in opposite directions.
+        /// 0: both sides are solid. Other values are refused: the guard does not yet hold for one
+        /// side of a surface that moves.
         /// </summary>
         public uint OneSided
         {

@@ -34,10 +34,8 @@ class vbss_scene_surface_config(ctypes.Structure):
 
     triangle_count: Number of triangles, 1 to 131072.
 
-    one_sided: 0: bodies touch it from both sides (default). 1: only from the front, which is
-    the side from which the corners of a triangle are counter-clockwise. Bodies behind it at the
-    start of a step are left alone. Each edge of such a surface belongs to one triangle, or to
-    two that list it in opposite directions.
+    one_sided: 0: both sides are solid. Other values are refused: the guard does not yet hold
+    for one side of a surface that moves.
 
     vertices: First positions of the vertices in the world, m: vertex_count times x, y, z, each
     at most 1e3 in magnitude; the library copies them.

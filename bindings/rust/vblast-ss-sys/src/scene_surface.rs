@@ -29,10 +29,8 @@ pub struct vbss_scene_surface_config {
     pub vertex_count: u32,
     /// Number of triangles, 1 to 131072.
     pub triangle_count: u32,
-    /// 0: bodies touch it from both sides (default). 1: only from the front, which is the side from
-    /// which the corners of a triangle are counter-clockwise. Bodies behind it at the start of a step are
-    /// left alone. Each edge of such a surface belongs to one triangle, or to two that list it in
-    /// opposite directions.
+    /// 0: both sides are solid. Other values are refused: the guard does not yet hold for one side of a
+    /// surface that moves.
     pub one_sided: u32,
     /// First positions of the vertices in the world, m: vertex_count times x, y, z, each at most 1e3
     /// in magnitude; the library copies them.
