@@ -218,7 +218,7 @@ int main(void)
                                           &positions, sizeof positions));
         static double c[SIZE];
         memset(c, 0, sizeof c);
-        memcpy(c + SIZE - 3 * (size_t)LAYER, forces.data, 3 * LAYER * sizeof *c);
+        memcpy(c + SIZE - 3 * (size_t)LAYER, forces.data, 3 * (size_t)LAYER * sizeof *c);
         solve(c);
         apart = deepest = force = 0.0;
         for (int i = 0; i < SIZE; i++) {
