@@ -143,7 +143,7 @@ def main():
     without_typedefs(out / "doxygen/xml")
     work = stage(source, out)
     environment = {**os.environ, "VBSS_SITE_XML": str(out / "doxygen/xml"), "VBSS_SITE_VERSION": version_of(source)}
-    for left in ("html", "doctrees"):  # Doxygen numbers nameless enumerations anew in each run
+    for left in ("html", "doctrees"):  # Doxygen renumbers anonymous enumerations in each run
         shutil.rmtree(out / left, ignore_errors=True)
     command = [python, "-B", "-m", "sphinx", "-b", "html", "-q", "-W", "--keep-going", "-d", str(out / "doctrees"),
                str(work), str(out / "html")]

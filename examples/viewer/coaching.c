@@ -11,7 +11,7 @@
 #define ARROW 12e-3 /* m, of a direction */
 #define FULL_TURN 6.283185307179586
 #define BESIDE 0.12     /* rad, of an arc's head, at both sides of its end */
-#define TOO_SMALL 1e-9  /* of what is not told */
+#define TOO_SMALL 1e-9  /* a smaller number is not shown */
 #define CHARACTER 0.72F /* of a letter's height, its width with the space after it */
 #define ABOVE 3.4F      /* lines, that hands and state have below */
 

@@ -32,8 +32,8 @@ PAGE_CALL(uint64_t, page_session_hash)(void);
 PAGE_CALL(void, page_move)(int32_t side, int32_t turns, double right, double up, double away);
 PAGE_CALL(void, page_close)(int32_t side, int32_t closes);
 PAGE_CALL(int32_t, page_clutch)(int32_t side, int32_t held);
-/* Sticks of a gamepad, until it is told again: to the right, up, away, turned about these (the last: about the tool's own axis),
- * -1 to 1; a smaller grain is slower. */
+/* Deflections of a gamepad's sticks, -1 to 1: three translations in the picture (right, up, away) and three rotations about these
+ * axes, the last one about the tool's own. They hold until the next call. A smaller grain is slower. */
 PAGE_CALL(void, page_pull)
 (int32_t side, double right, double up, double away, double nod, double turn, double roll,
  double grain);

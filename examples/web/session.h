@@ -10,8 +10,7 @@
 typedef struct page_session {
     bool there;
     live live;
-    vbss_result (*script)(
-        void); /* makes a step by live_step, and what else it wants; NULL: nobody does */
+    vbss_result (*script)(void); /* makes a step in place of live_step; NULL: live_step makes it */
     vbss_visual *visual;
     camera camera;
     float aspect;

@@ -117,7 +117,7 @@ static void fall_on_a_mesh_and_a_plane_replays_bit_equal(void **state)
     harness_context_end(g.context, &g.memory);
 }
 
-/* The log describes what is added while it records. */
+/* A log also describes bodies that were added during the recording. */
 static void plane_added_while_recording_replays_bit_equal(void **state)
 {
     (void)state;

@@ -263,7 +263,7 @@ def check_desk(page_file, folder, calls_natively, replay):
 
 
 class Controllers:
-    """Of the stand-in. A tool goes where it is wanted as a hand does that sees it: what is missing is made good each time."""
+    """The controllers of the stand-in. `go` moves a tool to a place in strides and corrects what is left after each."""
 
     def __init__(self, page):
         self.page = page

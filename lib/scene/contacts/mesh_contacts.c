@@ -1,4 +1,4 @@
-/* Static meshes and host surfaces: directions in which their edges push, and which features are behind a one-sided mesh.
+/* Static meshes and host surfaces: directions in which their edges push, and which features are behind a one-sided static mesh.
  *
  * An edge ahead of a thread that slides over level triangles is at a slant to it. A contact along the slant would brake
  * the thread. It acts along the normal of the triangle instead, unless the thread is below the plane of the
@@ -11,13 +11,12 @@
 typedef struct mesh_view {
     const collision_shape *shape;
     const scene_static_mesh *mesh;
-    const vec3 *x;     /* positions of the vertices, m */
-    const vec3 *x_end; /* at the end of the motion; NULL: they do not move */
+    const vec3 *x; /* positions of the vertices, m */
 } mesh_view;
 
 static mesh_view view_of(const scene_object *s, const scene_body *b, const vec3 *x)
 {
-    return (mesh_view){s->collision->shapes[b->shape], &b->rigid.mesh, x, NULL};
+    return (mesh_view){s->collision->shapes[b->shape], &b->rigid.mesh, x};
 }
 
 /* Normal of a triangle; its length is twice the area. */
@@ -121,61 +120,6 @@ static double height_over(const mesh_view *v, uint32_t triangle, vec3 point)
                     vec3_sub(point, v->x[v->shape->triangles[triangle][0]]));
 }
 
-/* A point, or one end of a segment or triangle, that moves along a straight line, m. */
-typedef struct moving_point {
-    vec3 start, end;
-} moving_point;
-
-/* Bernstein coefficients of the height of a point over a moving triangle, a cubic polynomial of time, times twice
- * the area. */
-static void moving_height(const mesh_view *v, uint32_t triangle, moving_point p, double c[4])
-{
-    const uint32_t *n = v->shape->triangles[triangle];
-    const vec3 *x = v->x, *y = v->x_end;
-    const vec3 a[2] = {vec3_sub(x[n[1]], x[n[0]]), vec3_sub(y[n[1]], y[n[0]])};
-    const vec3 b[2] = {vec3_sub(x[n[2]], x[n[0]]), vec3_sub(y[n[2]], y[n[0]])};
-    const vec3 d[2] = {vec3_sub(p.start, x[n[0]]), vec3_sub(p.end, y[n[0]])};
-    for (int k = 0; k < 4; k++) {
-        c[k] = 0.0;
-    }
-    for (int i = 0; i < 8; i++) {
-        const int late[3] = {i & 1, i >> 1 & 1, i >> 2 & 1}, order = late[0] + late[1] + late[2];
-        const double weight = order == 0 || order == 3 ? 1.0 : 1.0 / 3.0;
-        c[order] += weight * vec3_dot(vec3_cross(a[late[0]], b[late[1]]), d[late[2]]);
-    }
-}
-
-/* Whether points that start behind a triangle come to its front once at most, all in the same part of the motion:
- * their heights change sign together. Otherwise the plane of a moving triangle may pass a point twice, and the
- * triangle itself the second time, from the front. */
-static bool do_come_from_behind(const mesh_view *v, uint32_t triangle, const moving_point *points,
-                                int count)
-{
-    bool are_in_front = false;
-    double c[3][4];
-    for (int i = 0; v->x_end != NULL && i < count; i++) {
-        moving_height(v, triangle, points[i], c[i]);
-    }
-    for (int k = 0; v->x_end != NULL && k < 4; k++) {
-        const bool first = c[0][k] >= 0.0;
-        for (int i = 0; i < count; i++) {
-            if ((c[i][k] >= 0.0) != first) {
-                return false;
-            }
-        }
-        if (are_in_front && !first) {
-            return false;
-        }
-        are_in_front = first;
-    }
-    return true;
-}
-
-static moving_point point_of(const collision_shape *shape, uint32_t vertex)
-{
-    return (moving_point){shape->start[vertex], shape->end[vertex]};
-}
-
 /* One or two triangles at an edge, as a wedge. */
 typedef struct wedge {
     const mesh_view *view;
@@ -199,31 +143,28 @@ static wedge wedge_at(const mesh_view *v, uint32_t number)
 }
 
 /* Whether both ends are behind the same triangle of a concave wedge, or behind both of a convex one. Then a part
- * of the segment that meets the edge in a straight motion comes from behind. A wedge that moves may change from
- * one kind to the other, so both ends must be behind both of its triangles. */
-static bool is_behind_wedge(const wedge *w, const moving_point segment[2])
+ * of the segment that meets the edge in a straight motion comes from behind. */
+static bool is_behind_wedge(const wedge *w, const vec3 segment[2])
 {
     bool behind_all = true, behind_one = false;
     for (uint32_t i = 0; i < w->count; i++) {
-        const bool behind = height_over(w->view, w->triangles[i], segment[0].start) < 0.0 &&
-                            height_over(w->view, w->triangles[i], segment[1].start) < 0.0 &&
-                            do_come_from_behind(w->view, w->triangles[i], segment, 2);
+        const bool behind = height_over(w->view, w->triangles[i], segment[0]) < 0.0 &&
+                            height_over(w->view, w->triangles[i], segment[1]) < 0.0;
         behind_all = behind_all && behind;
         behind_one = behind_one || behind;
     }
-    return w->is_convex || w->view->x_end != NULL ? behind_all : behind_one;
+    return w->is_convex ? behind_all : behind_one;
 }
 
 /* Whether a segment intersects a triangle. Nothing that has always been in front of a mesh does. */
-static bool does_intersect(const mesh_view *v, uint32_t triangle, const moving_point segment[2])
+static bool does_intersect(const mesh_view *v, uint32_t triangle, const vec3 segment[2])
 {
-    const double first = height_over(v, triangle, segment[0].start),
-                 second = height_over(v, triangle, segment[1].start);
+    const double first = height_over(v, triangle, segment[0]),
+                 second = height_over(v, triangle, segment[1]);
     if ((first < 0.0) == (second < 0.0)) {
         return false;
     }
-    const vec3 point = vec3_lerp(segment[0].start, segment[1].start, first / (first - second)),
-               *x = v->x;
+    const vec3 point = vec3_lerp(segment[0], segment[1], first / (first - second)), *x = v->x;
     const uint32_t *n = v->shape->triangles[triangle];
     const vec3 corners[3] = {vec3_sub(x[n[0]], point), vec3_sub(x[n[1]], point),
                              vec3_sub(x[n[2]], point)};
@@ -232,7 +173,7 @@ static bool does_intersect(const mesh_view *v, uint32_t triangle, const moving_p
     return weights[0] > 0.0 && weights[1] > 0.0 && weights[2] > 0.0;
 }
 
-static bool is_segment_behind(const mesh_view *v, uint32_t edge, const moving_point segment[2])
+static bool is_segment_behind(const mesh_view *v, uint32_t edge, const vec3 segment[2])
 {
     const wedge w = wedge_at(v, edge);
     bool behind = is_behind_wedge(&w, segment);
@@ -249,12 +190,9 @@ static bool is_triangle_behind(const mesh_view *v, uint32_t vertex, const collis
     bool behind = true;
     const uint32_t *first = v->mesh->first_triangle, *n = other->triangles[triangle];
     for (uint32_t i = first[vertex]; behind && i < first[vertex + 1]; i++) {
-        const moving_point corners[3] = {point_of(other, n[0]), point_of(other, n[1]),
-                                         point_of(other, n[2])};
         for (int k = 0; k < 3; k++) {
-            behind = behind && height_over(v, v->mesh->triangles_of[i], corners[k].start) < 0.0;
+            behind = behind && height_over(v, v->mesh->triangles_of[i], other->start[n[k]]) < 0.0;
         }
-        behind = behind && do_come_from_behind(v, v->mesh->triangles_of[i], corners, 3);
     }
     return behind;
 }
@@ -268,17 +206,14 @@ bool vbss_scene_is_behind_mesh(const scene_object *s, const collision_candidate 
     if (!scene_is_mesh(mesh) || !mesh->rigid.mesh.is_one_sided) {
         return false;
     }
-    mesh_view v = view_of(s, mesh, scene_mesh_vertices(s, mesh));
-    v.x_end = mesh->rigid.surface != NULL ? v.shape->end : NULL;
+    const mesh_view v = view_of(s, mesh, scene_mesh_vertices(s, mesh));
     const collision_shape *other = s->collision->shapes[is_mesh_a ? q->shape_b : q->shape_a];
     const uint32_t feature = is_mesh_a ? q->a : q->b, other_feature = is_mesh_a ? q->b : q->a;
     if (q->kind == VBSS_COLLISION_PAIR_POINT_TRIANGLE) {
-        const moving_point point = point_of(other, is_mesh_a ? 0 : other_feature);
         return is_mesh_a ? is_triangle_behind(&v, feature, other, other_feature)
-                         : height_over(&v, feature, point.start) < 0.0 &&
-                               do_come_from_behind(&v, feature, &point, 1);
+                         : height_over(&v, feature, other->start[other_feature]) < 0.0;
     }
     const uint32_t *n = other->edges[other_feature];
-    const moving_point segment[2] = {point_of(other, n[0]), point_of(other, n[1])};
+    const vec3 segment[2] = {other->start[n[0]], other->start[n[1]]};
     return is_segment_behind(&v, feature, segment);
 }
