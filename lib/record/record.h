@@ -304,8 +304,16 @@ vbss_result vbss_log_read_step(log_reader *log, uint64_t steps_before, log_step 
 /* Brings the replay and its scene to a step of the log: restores the newest snapshot up to there,
  * and replays the rest. */
 vbss_result vbss_replay_seek_step(replay_object *p, uint64_t step);
-/* Restores the replay, but not its scene, to an earlier state. */
-void vbss_replay_roll_back(replay_object *p, const replay_object *before);
+/* A position of a replay: all that changes while it plays, but its scene. */
+typedef struct replay_position {
+    log_reader log;
+    vbss_replay_report report;
+    vbss_result stop_result;
+} replay_position;
+
+replay_position vbss_replay_get_position(const replay_object *p);
+/* Restores the replay, but not its scene, to an earlier position. */
+void vbss_replay_roll_back(replay_object *p, const replay_position *before);
 
 /* ---- session_records.c */
 

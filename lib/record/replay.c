@@ -223,7 +223,14 @@ vbss_result vbss_replay_seek_step(replay_object *p, uint64_t step)
     return set_outcome(p, replay_from(p, &from, step));
 }
 
-void vbss_replay_roll_back(replay_object *p, const replay_object *before)
+replay_position vbss_replay_get_position(const replay_object *p)
+{
+    const replay_position here = {
+        .log = p->log, .report = p->report, .stop_result = p->stop_result};
+    return here;
+}
+
+void vbss_replay_roll_back(replay_object *p, const replay_position *before)
 {
     log_reader log = vbss_log_reader_at(&p->start, p->log.coder);
     log_snapshot skipped;

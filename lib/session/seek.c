@@ -35,7 +35,7 @@ static vbss_result restore_snapshot(const vbss_slot *slot, const session_object 
 static vbss_result restore_or_roll_back(const vbss_slot *slot, const session_object *s,
                                         replay_object *p, const log_snapshot *snapshot)
 {
-    const replay_object before = *p;
+    const replay_position before = vbss_replay_get_position(p);
     size_t count = 0, written = 0;
     VBSS_TRY(vbss_snapshot_size((const vbss_slot *)s->scene, &count));
     uint8_t *bytes = vbss_allocate(s->context, count, 1, "way back of a session");

@@ -3,34 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "surgeon/surgeon.h"
 #include "trainer/task.h"
-
-#define STEP 1e-3
-#define LONGEST 120.0 /* s */
-
-/* ---- the surgeon's log */
-
-static vbss_result perform(uint64_t seed, const char *path)
-{
-    static surgeon s;
-    const surgeon_options o = {.seed = seed, .until = SURGEON_DONE, .log = path};
-    TRY(surgeon_create(&s, &o));
-    throw_rig *st = &s.stitch.site.rig;
-    while (s.stage < SURGEON_DONE && st->time < LONGEST) {
-        TRY(surgeon_step(&s, STEP));
-    }
-    TRY(throw_rig_end(st));
-    throw_rig_destroy(st);
-    return VBSS_OK;
-}
-
-bool led_write_log(uint64_t seed, const char *path)
-{
-    return perform(seed, path) == VBSS_OK;
-}
-
-/* ---- the trainer */
 
 /* A metre of the arm is two of the world, so that 22 cm of the task are in the 16 of an arm. */
 static vbss_result calibrate(calibration *c)

@@ -18,7 +18,7 @@ typedef struct led {
     double times[LED_SLOTS]; /* thread CPU time of each slot, s */
 } led;
 
-/* The task by that surgeon, into a log. */
+/* The task by that surgeon, into a log. (led_log.c) */
 bool led_write_log(uint64_t seed, const char *path);
 /* False: it does not run, `why` says what is wrong. */
 bool led_run(const char *log, led *found, char *why, size_t bytes);
