@@ -29,7 +29,7 @@ import time
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 LEDGER = ROOT / "build/thorough.json"
 COMMITS = 40
-MINUTES = 36
+MINUTES = 33
 MAX_TIDY_FILES = 200
 THREADED = r"^(base|device|replica|trainer|examples\.(threads|trainer))"
 THREADED_PROGRAMS = ["test_base", "test_device", "test_replica", "test_trainer", "threads", "trainer", "pass_needle", "surgeon"]
@@ -168,7 +168,7 @@ def run_slow(names, deadline):
     if not build("default", "all", "slow_programs"):
         return False
     good = True
-    size = 8
+    size = 4
     for start in range(0, len(names), size):
         if time.time() > deadline:
             print(f"Left out, as {MINUTES} minutes have passed: {' '.join(names[start:])}")
