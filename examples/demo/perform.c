@@ -132,6 +132,7 @@ bool perform(performance *p)
     p->watch.guest = observe;
     p->watch.user = p;
     p->watch.options.log = p->at.log;
+    p->watch.options.coaching = true; /* for the debrief of the report */
     p->watch.album = p->at.stages;
     p->result = watch_run(&p->watch, &p->surgeon, times);
     bar_show(&p->bar, "writing the pages", 1.0);

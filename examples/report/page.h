@@ -32,6 +32,7 @@ bool page_report(const facts *f, const pictures *shown, const char *to);
 void page_head(page *p, const facts *f); /* page.c */
 void page_foot(page *p, const facts *f, const pictures *shown);
 void page_summary(page *p, const facts *f);     /* summary.c */
+void page_debrief(page *p, const facts *f);     /* debrief.c */
 void page_timeline(page *p, const facts *f);    /* timeline.c */
 void page_session(page *p, const facts *f);     /* session.c: in the timeline */
 void page_bands(page *p, const facts *f);       /* bands.c */

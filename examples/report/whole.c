@@ -9,6 +9,7 @@ bool page_report(const facts *f, const pictures *shown, const char *to)
     }
     page_head(p, f);
     page_summary(p, f);
+    page_debrief(p, f);
     page_timeline(p, f);
     page_bands(p, f);
     page_motion(p, f);
