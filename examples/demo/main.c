@@ -88,7 +88,9 @@ int main(int count, char **words)
         return 2;
     }
     p.count = observe_pictures(p.observers, MAX_OBSERVERS, p.at.film, p.at.folder);
-    p.count += observe_page(p.observers + p.count, MAX_OBSERVERS - p.count, p.at.page);
+    const size_t pages = observe_page(p.observers + p.count, MAX_OBSERVERS - p.count, p.at.page);
+    p.count += pages;
+    p.facts.replay_page = pages > 0 ? "replay.html" : NULL; /* beside the report */
     bar_begin(&p.bar, screen);
     const bool whole = perform(&p);
     const bool done = completed(&p);

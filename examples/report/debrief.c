@@ -7,10 +7,10 @@
 #include "surgeon/task.h"
 
 enum { MAX_ADVICE = 96, SHOWN = 3, WORDS = 400 };
+#define SHOWN_FROM 0.5 /* points: less is rounded to none */
 
 typedef struct advice {
     double points, time; /* that it costs; when it began, s */
-    uint64_t step;
     char words[WORDS];
 } advice;
 
@@ -19,13 +19,12 @@ typedef struct advice_list {
     int count;
 } advice_list;
 
-static void add(advice_list *l, double points, double time, uint64_t step, const char *words)
+static void add(advice_list *l, double points, double time, const char *words)
 {
-    if (points > 0.0 && l->count < MAX_ADVICE) {
+    if (points >= SHOWN_FROM && l->count < MAX_ADVICE) {
         advice *a = &l->all[l->count++];
         a->points = points;
         a->time = time;
-        a->step = step;
         (void)snprintf(a->words, sizeof a->words, "%s", words);
     }
 }
@@ -66,7 +65,7 @@ static void add_penalties(advice_list *l, const measured *m)
         }
         if (largest != NULL) {
             (void)snprintf(words, sizeof words, "%s (%s).", remedies[kind], largest->text);
-            add(l, points, largest->time, largest->step, words);
+            add(l, points, largest->time, words);
         }
     }
 }
@@ -98,7 +97,7 @@ static void add_mistake(advice_list *l, const followed *t, uint32_t mistake)
                        vbss_session_mistake_string((vbss_session_mistake)mistake), seconds,
                        times > 1 ? " in all" : "",
                        vbss_session_remedy_string((vbss_session_mistake)mistake));
-        add(l, seconds, first->time, first->step, words);
+        add(l, seconds, first->time, words);
     }
 }
 
@@ -129,7 +128,7 @@ static void add_phase_time(advice_list *l, const facts *f, vbss_session_phase nu
         (void)snprintf(words, sizeof words,
                        "The phase \"%s\" took %.0f s; the scripted surgeon needs about %.0f s.",
                        name, seconds, expert[number]);
-        add(l, seconds - expert[number], first->from, first->step, words);
+        add(l, seconds - expert[number], first->from, words);
     }
 }
 
@@ -144,6 +143,17 @@ static void take_largest(advice_list *l, int place)
     const advice a = l->all[largest];
     l->all[largest] = l->all[place];
     l->all[place] = a;
+}
+
+static void put_moment(page *p, const facts *f, double time)
+{
+    if (f->replay_page != NULL) {
+        put(p, "<a href=\"");
+        put_text(p, f->replay_page);
+        put(p, "#t=%.2f\">from %.1f s on</a>", time, time);
+    } else {
+        put(p, "from %.1f s on", time);
+    }
 }
 
 void page_debrief(page *p, const facts *f)
@@ -167,10 +177,17 @@ void page_debrief(page *p, const facts *f)
         take_largest(&l, i);
         put(p, "<li>");
         put_text(p, l.all[i].words);
-        put(p, " <strong>%.0f points</strong>, from %.1f s (step %llu) on.</li>\n", l.all[i].points,
-            l.all[i].time, (unsigned long long)l.all[i].step);
+        put(p, " <strong>%.0f points</strong>, ", l.all[i].points);
+        put_moment(p, f, l.all[i].time);
+        put(p, ".</li>\n");
     }
-    put(p, "</ol>\n<p class=\"note\">Points of penalties, and a point for each second that a "
+    put(p, "</ol>\n");
+    if (l.count == 0) {
+        put(p,
+            "<p>Nothing: no penalty, no mistake that took time, no phase slower than the scripted "
+            "surgeon's.</p>\n");
+    }
+    put(p, "<p class=\"note\">Points of penalties, and a point for each second that a "
            "mistake took until it was mended, or that a phase took longer than the scripted "
            "surgeon's. The viewer shows a moment with <code>--replay LOG --from "
            "SECONDS</code>.</p></section>\n");

@@ -152,6 +152,8 @@ typedef struct facts {
     size_t phase_count, phase_room;
     const char *phase_source;
     measured measured;
+    const char
+        *replay_page; /* a page that plays the session, as the report links to it; NULL: none */
 } facts;
 
 /* Makes an array of `used` items have room for one more; false: no memory. */

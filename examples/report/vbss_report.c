@@ -1,9 +1,10 @@
 /* Writes what a session log says as one page that needs nothing else:
  *
- *     vbss-report LOG [-o FILE.html] [--pictures FOLDER] [--log-only]
+ *     vbss-report LOG [-o FILE.html] [--pictures FOLDER] [--replay-page ADDRESS] [--log-only]
  *
  * Without -o the page is written beside the log. The log is played back for what it does not hold, if its note says which
- * scene it is of; --log-only does without. Exits 0 for a log that is whole, 1 for one that is cut off or damaged (the page
+ * scene it is of; --log-only does without. The debrief links to moments of the replay page at ADDRESS, such as
+ * replay.html beside the report. Exits 0 for a log that is whole, 1 for one that is cut off or damaged (the page
  * is of its good part) or plays back to other bits, 2 where there is no page. */
 #include <stdio.h>
 #include <stdlib.h>
@@ -15,7 +16,7 @@
 enum { MAX_PATH = 1024 };
 
 typedef struct options {
-    const char *log, *to, *pictures;
+    const char *log, *to, *pictures, *replay_page;
     bool log_only;
 } options;
 
@@ -26,6 +27,8 @@ static bool read_options(int count, char **words, options *o)
             o->to = words[++i];
         } else if (strcmp(words[i], "--pictures") == 0 && i + 1 < count) {
             o->pictures = words[++i];
+        } else if (strcmp(words[i], "--replay-page") == 0 && i + 1 < count) {
+            o->replay_page = words[++i];
         } else if (strcmp(words[i], "--log-only") == 0) {
             o->log_only = true;
         } else if (words[i][0] != '-' && o->log == NULL) {
@@ -91,6 +94,7 @@ static int run(const options *o)
     int length = snprintf(beside, sizeof beside, "%s.html", o->log);
     f.path = o->log;
     f.again.asked = !o->log_only;
+    f.replay_page = o->replay_page;
     if (length < 0 || length >= MAX_PATH || !read_whole(o->log, &f)) {
         fprintf(stderr, "%s cannot be read\n", o->log);
         free(f.bytes);
@@ -110,11 +114,11 @@ static int run(const options *o)
 int main(int count, char **words)
 {
     use_decimal_point();
-    options o = {NULL, NULL, NULL, false};
+    options o = {.log = NULL};
     if (!read_options(count, words, &o)) {
-        fprintf(
-            stderr,
-            "vbss-report LOG [-o FILE.html] [--pictures FOLDER] [--log-only: not played back]\n");
+        fprintf(stderr,
+                "vbss-report LOG [-o FILE.html] [--pictures FOLDER] [--replay-page ADDRESS] "
+                "[--log-only: not played back]\n");
         return 2;
     }
     return run(&o);

@@ -57,8 +57,9 @@ def without_simulation(page):
     return text
 
 
-def check_report(report, folder, log, scratch):
-    run(report, log, "-o", scratch / "report.html", "--pictures", folder / "stages")
+def check_report(report, folder, log, scratch, player):
+    moments = ["--replay-page", "replay.html"] if player else []
+    run(report, log, "-o", scratch / "report.html", "--pictures", folder / "stages", *moments)
     mine, theirs = (without_simulation(p / "report.html") for p in (folder, scratch))
     assert mine == theirs, "the report differs from that of the log"
     assert "Watched while the hands made it" in (folder / "report.html").read_text()
@@ -99,7 +100,7 @@ def main():
     seconds = length_of(o.folder / "details.txt")
     assert list((o.folder / "stages").glob("*.png")), "no key stage"
     with tempfile.TemporaryDirectory() as scratch:
-        check_report(o.report, o.folder, log, pathlib.Path(scratch))
+        check_report(o.report, o.folder, log, pathlib.Path(scratch), o.player)
         if o.player is not None:
             names.append("replay.html")
             check_player(o.player, o.folder, log, pathlib.Path(scratch))

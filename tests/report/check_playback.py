@@ -73,7 +73,7 @@ def check_stitch(folder, program):
 def check_session(folder):
     """The needle is passed: phases, holes and events are those that the session told."""
     log, path = folder / "surgeon.vbss", folder / "surgeon.html"
-    said = run(THROW, "-s", "1", "-u", "pass", "-l", log)
+    said = run(THROW, "-s", "1", "-u", "pass", "--coach", "-l", log)
     phase = re.search(r"session: phase '(.*?)'", said)[1]
     assert "played back: the same hashes" in said and phase == "drawing through", said
     report(TOOL, log, path, 0)
@@ -88,6 +88,15 @@ def check_session(folder):
     for hole in ("in", "out"):
         off = re.search(f"hole {hole}, ([0-9.]+) mm off", said)[1]
         assert page.rows(f"hole {hole} off its mark")[0][0] == off, (hole, off)
+    # The debrief names at most three things, the largest first, with a link to the moment.
+    report(TOOL, log, path, 0, "--replay-page", "replay.html")
+    debrief = [e for e in Page(path).elements("section") if e.get("aria-labelledby") == "debrief"][0]
+    named = ["".join(e.itertext()) for e in debrief.iter() if e.tag.rpartition("}")[2] == "li"]
+    points = [float(re.search("([0-9]+) points", words)[1]) for words in named]
+    links = [e.get("href") for e in debrief.iter() if e.tag.rpartition("}")[2] == "a"]
+    assert 1 <= len(named) <= 3 and points == sorted(points, reverse=True) and points[-1] >= 1.0, named
+    assert "finished before both tails were cut" in named[0], named
+    assert len(links) == len(named) and all(0.0 <= float(at.removeprefix("replay.html#t=")) for at in links), links
     event_count = int(re.search(r"([0-9]+) events", said)[1])
     assert f"All that the session told ({event_count})" in page.text()
     # Without playing back, and of another surgeon's hands, there is no session to tell.
