@@ -29,11 +29,11 @@ static vbss_result begin(player *p, vbss_context *reader)
     return stage_follow_task(&p->stage, p->replay);
 }
 
-bool player_open(player *p, const char *path)
+bool player_take(player *p, replay_log log, const char *path)
 {
     vbss_context *reader;
     memset(p, 0, sizeof *p);
-    p->log = replay_read(path);
+    p->log = log;
     if (p->log.count == 0) {
         return reported(path, "cannot be read", "");
     }
@@ -44,6 +44,11 @@ bool player_open(player *p, const char *path)
     (void)vbss_context_destroy(reader);
     return result == VBSS_OK ||
            reported(path, "is no log of a scene that can be made here", vbss_result_string(result));
+}
+
+bool player_open(player *p, const char *path)
+{
+    return player_take(p, replay_read(path), path);
 }
 
 void player_close(player *p)

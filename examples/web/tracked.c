@@ -139,7 +139,7 @@ static vbss_result begin_device(controller *c, vbss_context *context)
 int32_t page_track(int32_t side, int32_t is_tracked)
 {
     page_session *p = page_get();
-    if (!p->there || side < 0 || side >= SIDES) {
+    if (!p->there || p->plays || side < 0 || side >= SIDES) {
         return VBSS_ERROR_OUT_OF_RANGE;
     }
     controller *c = &controllers.sides[side];
