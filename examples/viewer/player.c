@@ -12,6 +12,21 @@ static bool reported(const char *path, const char *what, const char *why)
 
 /* ---- opened */
 
+/* States of a session that coached, as a live one does, are only for one that coaches. */
+static vbss_result follow_task(player *p)
+{
+    const task_plan coached = {.coaching = true};
+    stage *s = &p->stage;
+    TRY(stage_follow_task(s, p->replay));
+    if (s->task.session == NULL ||
+        vbss_session_seek(s->task.session, 0) != VBSS_ERROR_CORRUPT) {
+        return VBSS_OK;
+    }
+    TRY(task_destroy(&s->task));
+    TRY(vbss_replay_begin(p->replay, s->scene));
+    return task_create_as(&s->task, s->tasked, NULL, p->replay, &coached);
+}
+
 static vbss_result begin(player *p, vbss_context *reader)
 {
     vbss_replay_info info;
@@ -26,7 +41,7 @@ static vbss_result begin(player *p, vbss_context *reader)
     TRY(stage_create(&p->stage, info.note, info.note_bytes));
     TRY(vbss_replay_create(p->stage.context, p->log.data, p->log.count, &p->replay));
     TRY(vbss_replay_begin(p->replay, p->stage.scene));
-    return stage_follow_task(&p->stage, p->replay);
+    return follow_task(p);
 }
 
 bool player_take(player *p, replay_log log, const char *path)

