@@ -352,7 +352,7 @@ class LeftHand(Controllers):
     def put(self, trigger):
         half = 0.5 * (0.5 * math.pi - self.TILT)
         c, s = math.cos(0.5 * self.turned), math.sin(0.5 * self.turned)
-        q = [c * math.cos(half), -c * math.sin(half), s * math.sin(half), s * math.cos(half)]
+        q = [c * math.cos(half), -c * math.sin(half), s * math.cos(half), s * math.sin(half)]
         wrist = [a - b for a, b in zip(self.at, rotate(q, (0.025, 0.0, -0.09)))]  # of stand_in_hand.js: the knuckle is at `at`
         self.page.run(f"Object.assign(standIn.fingers.left, {{ position: {wrist}, orientation: {q}, pinch: {0.06 * (1 - trigger)} }})")
 

@@ -1,4 +1,5 @@
-"""A headless Firefox, spoken to by its own protocol (Marionette): a socket of this machine, lengths and JSON."""
+"""A Firefox on a screen of its own (Xvfb: without one it has no WebGL), spoken to by its own protocol (Marionette): a socket of this
+machine, lengths and JSON."""
 import json
 import os
 import pathlib
@@ -33,14 +34,22 @@ class Firefox:
         port = free_port()
         wanted = {**PREFERENCES, "marionette.port": port}
         (pathlib.Path(self.profile.name) / "user.js").write_text("".join(f"user_pref({json.dumps(k)}, {json.dumps(v)});\n" for k, v in wanted.items()))
-        command = [find(), "--headless", "--marionette", "--no-remote", "--profile", self.profile.name, f"--width={size[0]}", f"--height={size[1]}"]
+        command = [find(), "--marionette", "--no-remote", "--profile", self.profile.name, f"--width={size[0]}", f"--height={size[1]}"]
         self.process = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, start_new_session=True,
-                                        env={**os.environ, "HOME": self.profile.name, "MOZ_DISABLE_CONTENT_SANDBOX": "1"})
+                                        env={**os.environ, "HOME": self.profile.name, "MOZ_DISABLE_CONTENT_SANDBOX": "1", "DISPLAY": self.open_screen()})
         self.number, self.buffer = 0, b""
         self.socket = self.connect(port)
         self.receive()  # who it is
         self.version = self.ask("WebDriver:NewSession", capabilities={"alwaysMatch": {}})["capabilities"]["browserVersion"]
         self.ask("WebDriver:SetTimeouts", script=int(1e3 * PATIENCE), pageLoad=int(1e3 * PATIENCE))
+
+    def open_screen(self):
+        number, write = os.pipe()
+        self.screen = subprocess.Popen(["Xvfb", "-displayfd", str(write), "-screen", "0", "1024x768x24", "-nolisten", "tcp"],
+                                       pass_fds=(write,), stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        os.close(write)
+        with os.fdopen(number) as answer:
+            return f":{answer.readline().strip()}"
 
     def connect(self, port):
         end = time.monotonic() + PATIENCE
@@ -65,6 +74,8 @@ class Firefox:
         except subprocess.TimeoutExpired:
             os.killpg(self.process.pid, signal.SIGKILL)
             self.process.wait()
+        self.screen.terminate()
+        self.screen.wait()
         self.profile.cleanup()
 
     def receive(self):
