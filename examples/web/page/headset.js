@@ -113,12 +113,14 @@ export class Headset {
     return this.hands[side].read(at);
   }
 
-  // Of the scene; through its port, if it has one, by a turn of the tool.
+  // Of the scene; through its port, if it has one, by a turn of the tool, whose tip is where the last picture has it: a clutch has
+  // taken it away from the hand.
   poseInScene(side, { position, orientation }) {
     const ahead = rotate(orientation, [0, 0, -TIP]);
     const tip = this.placement.toScene(position.map((n, i) => n + ahead[i]));
     const turned = this.placement.orientationToScene(orientation);
-    const through = this.page.settings.ports ? throughPort(PORTS[side], tip, turned) : turned;
+    const { shown, settings } = this.page;
+    const through = settings.ports && shown ? throughPort(PORTS[side], shown.state.tools[side].target, turned) : turned;
     return through && { position: tip, orientation: through };
   }
 
