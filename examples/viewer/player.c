@@ -18,8 +18,7 @@ static vbss_result follow_task(player *p)
     const task_plan coached = {.coaching = true};
     stage *s = &p->stage;
     TRY(stage_follow_task(s, p->replay));
-    if (s->task.session == NULL ||
-        vbss_session_seek(s->task.session, 0) != VBSS_ERROR_CORRUPT) {
+    if (s->task.session == NULL || vbss_session_seek(s->task.session, 0) != VBSS_ERROR_CORRUPT) {
         return VBSS_OK;
     }
     TRY(task_destroy(&s->task));

@@ -91,7 +91,8 @@ static void put_replay(const page_session *p)
 {
     const player *r = &p->player;
     if (p->plays) {
-        put(",\"replay\":{\"steps\":%llu,\"time\":%.3f,\"length\":%.3f,\"whole\":%s,\"differs\":%s}",
+        put(",\"replay\":{\"steps\":%llu,\"time\":%.3f,\"length\":%.3f,\"whole\":%s,\"differs\":%"
+            "s}",
             (unsigned long long)r->steps, r->time, r->length, r->whole ? "true" : "false",
             r->differs ? "true" : "false");
     }
@@ -182,7 +183,8 @@ const char *page_state(void)
         return "{}";
     }
     const camera_view view = camera_get_view(&p->camera, p->aspect);
-    put("{\"scene\":\"%s\",\"steps\":%llu", p->live.scene->name, (unsigned long long)(p->plays ? p->player.step : p->live.steps));
+    put("{\"scene\":\"%s\",\"steps\":%llu", p->live.scene->name,
+        (unsigned long long)(p->plays ? p->player.step : p->live.steps));
     put_replay(p);
     put_task(&page_stage(p)->task);
     put_coaching(&page_stage(p)->task);

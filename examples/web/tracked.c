@@ -7,7 +7,7 @@
 #include "session.h"
 
 #define STEP 1e-3
-#define CLUTCH 2U  /* an arm's second button, as grip.c has it */
+#define CLUTCH 2U      /* an arm's second button, as grip.c has it */
 #define WORKSPACE 0.15 /* m, of the tool from the middle, each way, as a mouse's */
 
 typedef struct controller {

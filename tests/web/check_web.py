@@ -106,7 +106,9 @@ def check_firefox(page, folder, calls, replay_page):
 
 
 def check_browser(part, page, folder, calls, replay_page):
-    import drive_page  # noqa: PLC0415  of what needs a browser
+    import drive_headset  # noqa: PLC0415  of what needs a browser
+    import drive_page  # noqa: PLC0415
+    import drive_task  # noqa: PLC0415
     assert drive_page.browser.find(), "no Chromium: .ci/install-packages thorough installs it"
 
     def replay(log):
@@ -115,11 +117,11 @@ def check_browser(part, page, folder, calls, replay_page):
     if part == "page":
         complaints = drive_page.check_desk(page, folder, lambda script: call_natively(calls, script, folder), replay)
     elif part == "headset":
-        complaints = drive_page.check_headset(page, folder, replay)
+        complaints = drive_headset.check_headset(page, folder, replay)
     elif part == "hands":
-        complaints = drive_page.check_hands(page, folder, replay)
+        complaints = drive_headset.check_hands(page, folder, replay)
     else:
-        complaints = drive_page.check_task(page, folder, range(int(calls.name)), replay)
+        complaints = drive_task.check_task(page, folder, range(int(calls.name)), replay)
     print("\n".join(complaints))
     return 1 if complaints else 0
 
