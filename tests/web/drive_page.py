@@ -253,6 +253,10 @@ def check_played(page, folder):
         page.key("keyUp", "p")
         page.pass_time(100)
     page.picture(folder / "timeline.png")
+    for key in (" ", "x", "d"):  # hands have no say
+        page.key("keyDown", key)
+        page.state()
+        page.key("keyUp", key)
     page.run(f"suturing.timeline.ask({length})")
     page.until(f"suturing.shown.state.steps === {length} && suturing.timeline.wanted === null")
     state = page.state()

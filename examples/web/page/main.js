@@ -10,6 +10,7 @@ import { Timeline } from './timeline.js';
 
 const $ = id => document.getElementById(id);
 const MAX_PIXELS = 2; // a unit of the screen
+const BY_HANDS = ['move', 'pull', 'close', 'clutch', 'exchange', 'track', 'pose'];
 
 class Page {
   constructor() {
@@ -38,6 +39,7 @@ class Page {
   }
 
   send(message, buffers = []) {
+    if (this.log && BY_HANDS.includes(message.name)) return; // the log has its own
     this.worker.postMessage(this.mirrored ? mirrorMessage(message) : message, buffers);
   }
 
