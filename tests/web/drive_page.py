@@ -238,10 +238,11 @@ def check_played(page, folder):
     page.browser.ask("DOM.setFileInputFiles", nodeId=field, files=[str((folder / "same.vbss").resolve())])
     page.until("suturing.shown.state.replay && suturing.shown.state.steps > 100")
     length = page.state()["replay"]["steps"]
-    x, y, width, height = page.browser.box("#line")
     for share in (0.5, 0.25):
         page.key("keyDown", "p")
         page.until("suturing.shown.clock.paused")
+        page.state()
+        x, y, width, height = page.browser.box("#line")  # words beside it have their say
         for kind in ("mousePressed", "mouseReleased"):
             page.browser.mouse(kind, x + share * width, y + height / 2)
         page.until("suturing.timeline.wanted === null")
