@@ -12,6 +12,20 @@ static bool reported(const char *path, const char *what, const char *why)
 
 /* ---- opened */
 
+/* States of a session that coached, as a live one does, are only for one that coaches. */
+static vbss_result follow_task(player *p)
+{
+    const task_plan coached = {.coaching = true};
+    stage *s = &p->stage;
+    TRY(stage_follow_task(s, p->replay));
+    if (s->task.session == NULL || vbss_session_seek(s->task.session, 0) != VBSS_ERROR_CORRUPT) {
+        return VBSS_OK;
+    }
+    TRY(task_destroy(&s->task));
+    TRY(vbss_replay_begin(p->replay, s->scene));
+    return task_create_as(&s->task, s->tasked, NULL, p->replay, &coached);
+}
+
 static vbss_result begin(player *p, vbss_context *reader)
 {
     vbss_replay_info info;
@@ -26,14 +40,14 @@ static vbss_result begin(player *p, vbss_context *reader)
     TRY(stage_create(&p->stage, info.note, info.note_bytes));
     TRY(vbss_replay_create(p->stage.context, p->log.data, p->log.count, &p->replay));
     TRY(vbss_replay_begin(p->replay, p->stage.scene));
-    return stage_follow_task(&p->stage, p->replay);
+    return follow_task(p);
 }
 
-bool player_open(player *p, const char *path)
+bool player_take(player *p, replay_log log, const char *path)
 {
     vbss_context *reader;
     memset(p, 0, sizeof *p);
-    p->log = replay_read(path);
+    p->log = log;
     if (p->log.count == 0) {
         return reported(path, "cannot be read", "");
     }
@@ -44,6 +58,11 @@ bool player_open(player *p, const char *path)
     (void)vbss_context_destroy(reader);
     return result == VBSS_OK ||
            reported(path, "is no log of a scene that can be made here", vbss_result_string(result));
+}
+
+bool player_open(player *p, const char *path)
+{
+    return player_take(p, replay_read(path), path);
 }
 
 void player_close(player *p)

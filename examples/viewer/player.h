@@ -20,6 +20,8 @@ typedef struct player {
 
 /* False, told on standard error. In either case it is to be closed. */
 bool player_open(player *p, const char *path);
+/* Of a log that was read, and is the player's then; the name is told with what fails. */
+bool player_take(player *p, replay_log log, const char *name);
 void player_close(player *p);
 /* False: there is no such step, or it is not as it was; the latter is told. */
 bool player_step(player *p);

@@ -11,11 +11,18 @@ page_session *page_get(void)
     return &session;
 }
 
+stage *page_stage(page_session *p)
+{
+    return p->plays ? &p->player.stage : &p->live.stage;
+}
+
 /* ---- made */
 
 void page_clear(page_session *p)
 {
-    if (p->there) {
+    if (p->plays) {
+        player_close(&p->player);
+    } else if (p->there) {
         live_destroy(&p->live);
     }
     tracked_reset();
@@ -27,8 +34,8 @@ static vbss_result begin_picture(page_session *p)
 {
     vbss_visual_config c;
     TRY(vbss_visual_config_init(&c, sizeof c));
-    TRY(vbss_visual_create(p->live.stage.context, &c, &p->visual));
-    return vbss_visual_add_scene(p->visual, p->live.stage.scene, NULL);
+    TRY(vbss_visual_create(page_stage(p)->context, &c, &p->visual));
+    return vbss_visual_add_scene(p->visual, page_stage(p)->scene, NULL);
 }
 
 vbss_result page_complete(page_session *p, vbss_result made)
@@ -57,13 +64,16 @@ int32_t page_begin(int32_t scene, uint32_t seed)
 
 int32_t page_end(void)
 {
-    return session.there ? live_end(&session.live) : VBSS_ERROR_WRONG_STATE;
+    return session.there && !session.plays ? live_end(&session.live) : VBSS_ERROR_WRONG_STATE;
 }
 
 int32_t page_step(int32_t count)
 {
     if (!session.there) {
         return VBSS_ERROR_WRONG_STATE;
+    }
+    if (session.plays) {
+        return page_play(&session, count);
     }
     for (int32_t i = 0; i < count; i++) {
         TRY(session.script != NULL ? session.script() : live_step(&session.live));
@@ -74,8 +84,8 @@ int32_t page_step(int32_t count)
 const char *page_problem(void)
 {
     const char *text = "";
-    if (session.live.stage.context != NULL) {
-        (void)vbss_context_get_last_error(session.live.stage.context, NULL, &text);
+    if (page_stage(&session)->context != NULL) {
+        (void)vbss_context_get_last_error(page_stage(&session)->context, NULL, &text);
     }
     return text;
 }
@@ -84,7 +94,7 @@ uint64_t page_scene_hash(void)
 {
     uint64_t hash = 0;
     if (session.there) {
-        (void)vbss_scene_get_hash(session.live.stage.scene, &hash);
+        (void)vbss_scene_get_hash(page_stage(&session)->scene, &hash);
     }
     return hash;
 }
@@ -92,8 +102,8 @@ uint64_t page_scene_hash(void)
 uint64_t page_session_hash(void)
 {
     uint64_t hash = 0;
-    if (session.there && session.live.stage.task.session != NULL) {
-        (void)vbss_session_get_hash(session.live.stage.task.session, &hash);
+    if (session.there && page_stage(&session)->task.session != NULL) {
+        (void)vbss_session_get_hash(page_stage(&session)->task.session, &hash);
     }
     return hash;
 }
@@ -102,7 +112,7 @@ uint64_t page_session_hash(void)
 
 static bool has_side(int32_t side)
 {
-    return session.there && side >= 0 && side < SIDES;
+    return session.there && !session.plays && side >= 0 && side < SIDES;
 }
 
 void page_move(int32_t side, int32_t turns, double right, double up, double away)

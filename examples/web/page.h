@@ -50,6 +50,16 @@ PAGE_CALL(void, page_pose)
 (int32_t side, double x, double y, double z, double qw, double qx, double qy, double qz, double jaw,
  int32_t clutched, double seconds);
 
+/* ---- replayed.c: a saved log in place of hands */
+
+/* Room for so many bytes of a log; 0: there is none. It stays until page_replay takes it. */
+PAGE_CALL(uint8_t *, page_room)(uint32_t bytes);
+/* Ends the session before, and begins the log that was put there: its scene before the first step. Its steps are made by page_step,
+ * and none follows its last one. */
+PAGE_CALL(int32_t, page_replay)(void);
+/* To after that step. */
+PAGE_CALL(int32_t, page_seek)(uint32_t step);
+
 /* ---- picture.c */
 
 /* The camera: turned to the right about the vertical, looking down by so much, that far away; width over height. */

@@ -17,7 +17,7 @@ void page_set_camera(double aside, double down, double away, double aspect)
     }
     p->aspect = (float)aspect;
     p->camera = camera_from(p->live.scene->target, (float)aside, (float)down, (float)away);
-    for (int side = 0; side < SIDES; side++) {
+    for (int side = 0; side < SIDES && !p->plays; side++) {
         mouse_hand_set_camera(&p->live.hands[side], &p->camera);
     }
 }

@@ -4,12 +4,15 @@
 
 #include "viewer/camera.h"
 #include "viewer/live.h"
+#include "viewer/player.h"
 
 #define PAGE_LOG "log.vbss"
 
 typedef struct page_session {
     bool there;
+    bool plays; /* a log: `player`, else `live` */
     live live;
+    player player;
     vbss_result (*script)(void); /* makes a step in place of live_step; NULL: live_step makes it */
     vbss_visual *visual;
     camera camera;
@@ -18,12 +21,16 @@ typedef struct page_session {
 } page_session;
 
 page_session *page_get(void);
+/* Of what there is: the hands' or the log's. (page.c) */
+stage *page_stage(page_session *p);
 /* Ends the session, if there is one. (page.c) */
 void page_clear(page_session *p);
 /* After p->live was made, with what came of that: its picture. If anything failed, nothing is there. (page.c) */
 vbss_result page_complete(page_session *p, vbss_result made);
 /* Gives a hand back to the mouse, which begins where the tool is. (page.c) */
 vbss_result page_take_mouse(page_session *p, int side);
+/* Steps of a log, until it ends. (replayed.c) */
+vbss_result page_play(page_session *p, int32_t count);
 /* The arms of live.h. (tracked.c) */
 arms *tracked_arms(void);
 /* The next session has no controllers yet. (tracked.c) */

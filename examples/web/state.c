@@ -85,6 +85,19 @@ static void put_coaching(const task *k)
     put(",\"mistake\":\"%s\",\"remedy\":\"%s\"}", c.mistake_sentence, c.remedy);
 }
 
+/* ---- a log that is played */
+
+static void put_replay(const page_session *p)
+{
+    const player *r = &p->player;
+    if (p->plays) {
+        put(",\"replay\":{\"steps\":%llu,\"time\":%.3f,\"length\":%.3f,\"whole\":%s,\"differs\":%"
+            "s}",
+            (unsigned long long)r->steps, r->time, r->length, r->whole ? "true" : "false",
+            r->differs ? "true" : "false");
+    }
+}
+
 /* ---- what has happened */
 
 static void put_events(page_session *p)
@@ -92,7 +105,7 @@ static void put_events(page_session *p)
     vbss_session_status s;
     const char *comma = "";
     put(",\"events\":[");
-    vbss_session *session = p->live.stage.task.session;
+    vbss_session *session = page_stage(p)->task.session;
     if (session != NULL && vbss_session_get_status(session, &s, sizeof s) == VBSS_OK) {
         uint64_t next = p->reported > s.first_event ? p->reported : s.first_event;
         for (int i = 0; next < s.event_count && i < MAX_REPORTED; i++, next++) {
@@ -116,7 +129,7 @@ static void put_knot(page_session *p)
 {
     reading r;
     memset(&r, 0, sizeof r);
-    if (p->live.stage.drain != NULL || stage_judge(&p->live.stage, &r) != VBSS_OK) {
+    if (page_stage(p)->drain != NULL || stage_judge(page_stage(p), &r) != VBSS_OK) {
         return;
     }
     put(",\"knot\":\"%s%s%s\",\"throws\":%u", r.state.throw_count > 0 ? r.notation : "",
@@ -135,11 +148,11 @@ static void put_place(const char *name, const page_session *p, const matrix4 *se
     }
 }
 
-static void put_tool(const page_session *p, int side, const matrix4 *seen)
+static void put_tool(page_session *p, int side, const matrix4 *seen)
 {
     vbss_grasper_state t;
     const mouse_hand *m = &p->live.hands[side];
-    if (vbss_grasper_get_state(p->live.stage.graspers[side], &t, sizeof t) != VBSS_OK) {
+    if (vbss_grasper_get_state(page_stage(p)->graspers[side], &t, sizeof t) != VBSS_OK) {
         return;
     }
     const double foot[3] = {t.position[0], t.position[1], FLOOR_HEIGHT};
@@ -170,9 +183,11 @@ const char *page_state(void)
         return "{}";
     }
     const camera_view view = camera_get_view(&p->camera, p->aspect);
-    put("{\"scene\":\"%s\",\"steps\":%llu", p->live.scene->name, (unsigned long long)p->live.steps);
-    put_task(&p->live.stage.task);
-    put_coaching(&p->live.stage.task);
+    put("{\"scene\":\"%s\",\"steps\":%llu", p->live.scene->name,
+        (unsigned long long)(p->plays ? p->player.step : p->live.steps));
+    put_replay(p);
+    put_task(&page_stage(p)->task);
+    put_coaching(&page_stage(p)->task);
     put_knot(p);
     put_events(p);
     put(",\"tools\":[");

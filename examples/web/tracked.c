@@ -7,8 +7,8 @@
 #include "session.h"
 
 #define STEP 1e-3
-#define CLUTCH 2U  /* an arm's second button, as grip.c has it */
-#define REACH 0.15 /* m, of the tool from the middle, each way, as a mouse's */
+#define CLUTCH 2U      /* an arm's second button, as grip.c has it */
+#define WORKSPACE 0.15 /* m, of the tool from the middle, each way, as a mouse's */
 
 typedef struct controller {
     vbss_device *device; /* NULL: the mouse has the hand */
@@ -127,8 +127,8 @@ static vbss_result begin_device(controller *c, vbss_context *context)
     adapter.write = write_controller;
     TRY(vbss_device_calibration_init(&space, sizeof space));
     for (int i = 0; i < 3; i++) {
-        space.workspace_low[i] = -REACH;
-        space.workspace_high[i] = REACH;
+        space.workspace_low[i] = -WORKSPACE;
+        space.workspace_high[i] = WORKSPACE;
     }
     TRY(vbss_device_config_init(&config, sizeof config));
     config.clock = VBSS_DEVICE_CLOCK_SHARED;
@@ -139,7 +139,7 @@ static vbss_result begin_device(controller *c, vbss_context *context)
 int32_t page_track(int32_t side, int32_t is_tracked)
 {
     page_session *p = page_get();
-    if (!p->there || side < 0 || side >= SIDES) {
+    if (!p->there || p->plays || side < 0 || side >= SIDES) {
         return VBSS_ERROR_OUT_OF_RANGE;
     }
     controller *c = &controllers.sides[side];

@@ -1,5 +1,4 @@
-"""The page in Chromium, from the disk: a mouse and keys that a script moves, controllers that a stand-in has (stand_in_xr.js)."""
-import base64
+"""The page in Chromium, from the disk: a mouse and keys that a script moves, and what other files drive it by."""
 import json
 import math
 import pathlib
@@ -14,11 +13,8 @@ import browser  # noqa: E402
 import hands  # noqa: E402
 
 SIZE = (480, 360)
-EYES = (480, 240)  # both: they are drawn by the processor
 PATIENCE = 120.0  # s
 COUNT = 1e-4  # m
-STRIDE = 15e-3  # m, of a tool that a controller leads, before its script looks again
-REACTION = 250  # steps until it does: the tool has come there
 
 
 class Page:
@@ -207,8 +203,8 @@ def check_same_bits(page, calls_natively):
             messages.append({"name": "steps", "count": 0})
         elif word == "state":
             break
-    page.run(f"suturing.answers = []; suturing.messages = {json.dumps(messages)}")
-    page.run("(async () => { for (const m of suturing.messages) { suturing.send(m); if (m.name === 'steps') {"
+    page.run(f"(suturing.answers = [], suturing.messages = {json.dumps(messages)}, 0)")
+    page.run("void (async () => { for (const m of suturing.messages) { suturing.send(m); if (m.name === 'steps') {"
              " const hashes = await new Promise(done => { suturing.hearStepped = done; });"
              " if (m.count === 0) suturing.answers.push(hashes.join(' ')); } } suturing.finished = true; })()")
     page.until("suturing.finished")
@@ -231,6 +227,45 @@ def save(page, folder, name):
         assert time.monotonic() < end, "nothing was saved"
         time.sleep(0.1)
     return target.rename(folder / f"{name}.vbss")
+
+
+def check_played(page, folder):
+    """The file that was saved is opened and played: by the time line to its middle, back, and to its end."""
+    recorded = page.run("suturing.hashes")
+    document = page.browser.ask("DOM.getDocument")["root"]["nodeId"]
+    field = page.browser.ask("DOM.querySelector", nodeId=document, selector="#log")["nodeId"]
+    page.click("#choose")
+    page.browser.ask("DOM.setFileInputFiles", nodeId=field, files=[str((folder / "same.vbss").resolve())])
+    page.until("suturing.shown.state.replay && suturing.shown.state.steps > 100")
+    length = page.state()["replay"]["steps"]
+    for share in (0.5, 0.25):
+        page.key("keyDown", "p")
+        page.until("suturing.shown.clock.paused")
+        page.state()
+        x, y, width, height = page.browser.box("#line")  # words beside it have their say
+        for kind in ("mousePressed", "mouseReleased"):
+            page.browser.mouse(kind, x + share * width, y + height / 2)
+        page.until("suturing.timeline.wanted === null")
+        at = page.state()["steps"]
+        assert abs(at / length - share) < 0.05, (at, length)
+        page.state()
+        assert page.state()["steps"] == at, "it is paused"
+        page.key("keyDown", "p")
+        page.key("keyUp", "p")
+        page.pass_time(100)
+    page.picture(folder / "timeline.png")
+    for key in (" ", "x", "d"):  # hands have no say
+        page.key("keyDown", key)
+        page.state()
+        page.key("keyUp", key)
+    page.run(f"suturing.timeline.ask({length})")
+    page.until(f"suturing.shown.state.steps === {length} && suturing.timeline.wanted === null")
+    state = page.state()
+    assert not state["replay"]["differs"] and page.run("suturing.hashes") == recorded, (state["replay"], recorded)
+    assert "the end" in page.run("document.getElementById('line-time').textContent")
+    page.click("#again")
+    page.until(f"suturing.shown.state.replay && suturing.shown.state.steps < {length // 2}")
+    print(f"played from the file: {length} steps, sought by the time line, and the hashes at the end are those of the session")
 
 
 def complaints_of(chromium, page):
@@ -256,154 +291,5 @@ def check_desk(page_file, folder, calls_natively, replay):
         replay(save(page, folder, "mouse"))
         check_same_bits(page, calls_natively)
         replay(save(page, folder, "same"))
+        check_played(page, folder)
         return complaints_of(chromium, page_file)
-
-
-# ---- controllers
-
-
-class Controllers:
-    """The controllers of the stand-in. `go` moves a tool to a place in strides and corrects what is left after each."""
-
-    def __init__(self, page):
-        self.page = page
-        self.at = [0.15, 1.2, -0.35]
-        self.turned = 0.0
-
-    def put(self, trigger):
-        half = math.sqrt(0.5)  # it points down, and is turned about the vertical
-        c, s = math.cos(0.5 * self.turned), math.sin(0.5 * self.turned)
-        q = [c * half, -c * half, s * half, s * half]
-        self.page.run(f"Object.assign(standIn.hands.right, {{ position: {self.at}, orientation: {q}, trigger: {trigger} }})")
-
-    def go(self, to, trigger, near=0.4e-3):
-        scale = self.page.run("suturing.headset.scale")
-        for _ in range(100):
-            off = [a - b for a, b in zip(to, self.page.tool()["target"])]
-            if distance(off, (0, 0, 0)) < near:
-                return
-            share = min(1.0, STRIDE / distance(off, (0, 0, 0)))
-            for i, v in enumerate((off[0], off[2], -off[1])):  # to the right, up, away
-                self.at[i] += scale * share * v
-            self.put(trigger)
-            self.page.pass_time(REACTION)
-        raise AssertionError(f"the tool does not come to {to}")
-
-
-def stop_tools(page):
-    """The left controller is not seen: its tool stays where it is."""
-    page.run("standIn.hands.left.seen = false")
-
-
-def take_needle(page):
-    c = Controllers(page)
-    c.turned = 0.0
-    c.put(0)
-    c.go((*hands.PLACE, 5e-3), 0)
-    for i in range(1, 11):
-        c.turned = 0.1 * i * hands.TURN
-        c.put(0)
-        page.pass_time(80)
-    c.go((*hands.PLACE, -14.2e-3), 0)
-    for trigger in (0.3, 0.6, 1.0):
-        c.put(trigger)
-        page.pass_time(120)
-    c.go((*hands.PLACE, 15e-3), 1.0)
-    return c
-
-
-def check_clutch(page, c):
-    """While the grip button is held the tool stays; afterwards it goes on from there, and does not jump."""
-    page.run("standIn.hands.right.grip = true")
-    page.state()
-    page.pass_time(100)
-    here = page.tool()["target"]
-    c.at[0] -= 0.1
-    c.put(1.0)
-    page.state()
-    page.pass_time(200)
-    assert distance(page.tool()["target"], here) < 1e-4, (page.tool()["target"], here)
-    page.run("standIn.hands.right.grip = false")
-    page.state()
-    page.pass_time(200)
-    assert distance(page.tool()["target"], here) < 1e-3, (page.tool()["target"], here)
-
-
-def check_headset(page_file, folder, replay):
-    with browser.Browser(EYES) as chromium:
-        page = Page(chromium, page_file, (HERE / "stand_in_xr.js").read_text())
-        page.until("!document.getElementById('headset').hidden")
-        page.start(hands.STITCH)
-        stop_tools(page)
-        page.click("#headset")
-        page.until("suturing.headset.tracked[1]")
-        c = take_needle(page)
-        rows = page.picture(folder / "eyes.png")
-        half = [row[:len(row) // 2] for row in rows], [row[len(row) // 2:] for row in rows]
-        assert all(lit(eye) > 0.1 for eye in half), [lit(eye) for eye in half]
-        assert blocks.apart(blocks.blocks(half[0]), blocks.blocks(half[1])) > 1.0, "both eyes see the same"
-        state = page.state()
-        tool = state["tools"][hands.RIGHT]
-        assert tool["holds"] == "the needle" and tool["position"][2] > 10e-3 and tool["tracked"], tool
-        assert state["task"]["phase"] == "to the first mark" and not state["tools"][0]["tracked"], state["task"]
-        check_clutch(page, c)
-        frames, pulses, strongest = page.run("[standIn.frames, standIn.pulses, standIn.strongest]")
-        print(f"controllers: {state['steps']} steps, {frames} frames, {pulses} pulses, the strongest {strongest:.2f}")
-        assert pulses > 0
-        page.run("standIn.session.end()")
-        page.until("!suturing.shown.state.tools[1].tracked")
-        page.click("#pause")
-        replay(save(page, folder, "controllers"))
-        return complaints_of(chromium, page_file)
-
-
-# ---- the whole task
-
-TASK = 3600.0  # s of wall time: the processor draws both eyes
-STILL_EVERY = 8.0  # s of the session
-
-
-def perform(page, seed, folder):
-    """The surgeon's hands move the controllers until it has ended; the state then."""
-    page.run(f"performer.begin({seed})")
-    end, still = time.monotonic() + TASK, 0.0
-    while not page.run("performer.ended"):
-        problem = page.run("document.getElementById('problem').textContent")
-        assert not problem, problem
-        assert time.monotonic() < end, page.run("performer.doing")
-        seconds = 1e-3 * page.run("suturing.shown.state.steps")
-        if seconds >= still:
-            page.run("standIn.asked = true")
-            page.until("!standIn.asked")
-            picture = page.run("standIn.picture").partition(",")[2]
-            (folder / f"task-{seed}-{int(still):03d}.png").write_bytes(base64.b64decode(picture))
-            still += STILL_EVERY
-        time.sleep(0.5)
-    return page.state()
-
-
-def check_task(page_file, folder, seeds, replay):
-    scripts = "\n".join((HERE / name).read_text() for name in ("stand_in_xr.js", "perform_hands.js"))
-    for seed in seeds:
-        with browser.Browser(EYES) as chromium:
-            page = Page(chromium, page_file, scripts)
-            page.until("!document.getElementById('headset').hidden")
-            page.start(hands.STITCH)
-            page.click("#headset")
-            page.until("suturing.headset.tracked[1]")
-            begin = time.monotonic()
-            state = perform(page, seed, folder)
-            task = state["task"]
-            print(f"seed {seed}: {task['phase']}, {task['time']:.1f} s in {time.monotonic() - begin:.0f} s; score {task['score']:.0f}, "
-                  f"slit {task['gap']:.2f} mm; the surgeon: {page.run('performer.doing')}; {page.run('performer.frames')} frames of the "
-                  f"controllers", flush=True)
-            assert task["number"] == hands.DONE and not task["failure"], task
-            page.run("standIn.session.end()")
-            page.until("!suturing.shown.state.tools[1].tracked")
-            assert page.run("document.getElementById('result').textContent") == "Done"
-            page.click("#close-report")
-            replay(save(page, folder, f"task-{seed}"))
-            complaints = complaints_of(chromium, page_file)
-            if complaints:
-                return complaints
-    return []

@@ -1,5 +1,6 @@
 // A stand-in for navigator.xr: a headset whose two eyes are the halves of the canvas, and two controllers that a test moves:
 // standIn.hands.right = { position, orientation (w, x, y, z), trigger, grip, button, axes }. Metres, y up, the head looks along -z.
+// standIn.tracked: both are hands instead, whose joints standIn.fingers.right makes (stand_in_hand.js).
 // With standIn.before, which makes a promise, a frame waits for that; standIn.asked: what both eyes see in the next frame becomes
 // standIn.picture.
 (() => {
@@ -20,9 +21,12 @@
     0, 0, -(far + near) / (far - near), -1, 0, 0, -2 * far * near / (far - near), 0]);
   const hand = x => ({ position: [x, 1.2, -0.3], orientation: [1, 0, 0, 0], trigger: 0, grip: false, button: false, axes: [0, 0, 0, 0], seen: true });
 
+  const finger = x => ({ position: [x, 1.2, -0.3], orientation: [1, 0, 0, 0], pinch: 0.06, fist: 0, little: false, seen: true });
+
   const standIn = window.standIn = {
     head: { position: [0, 1.5, 0], orientation: [Math.cos(-0.27), Math.sin(-0.27), 0, 0] }, // looks 31 degrees down
-    hands: { left: hand(-0.2), right: hand(0.2) }, pulses: 0, strongest: 0, frames: 0, session: null, before: null, asked: false, picture: null };
+    hands: { left: hand(-0.2), right: hand(0.2) }, pulses: 0, strongest: 0, frames: 0, session: null, before: null, asked: false, picture: null, tracked: false,
+    fingers: { left: finger(-0.2), right: finger(0.2) } };
 
   class Layer {
     constructor(session, gl) {
@@ -44,8 +48,9 @@
     } };
     const state = standIn.hands[handedness];
     const button = value => ({ value, pressed: value > 0.5 });
-    return { handedness, targetRaySpace: { handedness }, gamepad: { hapticActuators: [actuator], get axes() { return state.axes; },
-      get buttons() { return [button(state.trigger), button(state.grip ? 1 : 0), button(0), button(0), button(state.button ? 1 : 0)]; } } };
+    const hand = { get: name => ({ handedness, name }) };
+    return { handedness, targetRaySpace: { handedness }, get hand() { return standIn.tracked ? hand : undefined; }, gamepad: { hapticActuators: [actuator], get axes() { return state.axes; },
+      get buttons() { return [button(state.trigger), button(state.grip ? 1 : 0), button(0), button(0), button(state.button ? 1 : 0), button(standIn.again ? 1 : 0)]; } } };
   }
 
   class Session extends EventTarget {
@@ -84,6 +89,11 @@
         getPose: ({ handedness }) => {
           const { seen, position: at, orientation: q } = standIn.hands[handedness];
           return seen ? { transform: transform(at, q) } : null;
+        },
+        getJointPose: ({ handedness, name }) => {
+          const state = standIn.fingers[handedness];
+          const joint = state.seen && window.standInHand.jointsOf(state, handedness)[name];
+          return joint ? { transform: transform(joint, [1, 0, 0, 0]), radius: 0.008 } : null;
         } };
     }
 

@@ -40,6 +40,7 @@ export class Captions {
     set('counts', `throws ${task.throws}, seated ${task.seated}, hands changed ${task.transfers}, tails cut ${task.cut}`);
     set('score', `score ${task.score.toFixed(0)}, penalties ${task.penalties.toFixed(0)}, drops ${task.drops}`);
     if (task.number >= DONE && !this.reported) this.report(task);
+    if (task.number < DONE && this.reported) this.reported = !($('report').hidden = true); // a time line that went back
   }
 
   // What to do next, how far that is, and what went wrong.
@@ -84,11 +85,11 @@ export class Captions {
     $('report').hidden = false;
   }
 
-  putTool(tool, side, isTaken, isPaused) {
+  putTool(tool, side, isTaken, isPaused, isPlayed) {
     const name = side === 0 ? 'left' : 'right';
     const hold = tool.holds ? `, holds ${tool.holds}` : '';
     set('tool', `${name} ${tool.shears ? 'shears' : 'tool'}, jaws ${tool.opening < 0.5 ? 'closed' : 'open'}${hold}${tool.clutched ? ', stays' : ''}${whereIs(tool)}` +
-      `${isPaused ? ' \u2013 paused' : isTaken || tool.tracked ? '' : ' \u2013 click into the picture to take it'}`);
+      `${isPaused ? ' \u2013 paused' : isTaken || tool.tracked || isPlayed ? '' : ' \u2013 click into the picture to take it'}`);
     const shown = tool.place && tool.foot && !tool.tracked;
     $('mark').style.display = shown ? '' : 'none';
     if (!shown) return;
@@ -110,12 +111,20 @@ export class Captions {
     $('clock').classList.toggle('slow', slow);
   }
 
+  // For a panel in a headset: what the page says, where there is something.
+  lines() {
+    const slow = $('clock').classList.contains('slow') ? $('clock').textContent.split(';')[0] : '';
+    const words = { goal: $('goal').textContent, mistake: $('mistake').textContent, phase: $('phase').textContent, caption: $('caption').textContent, slow };
+    if (!$('report').hidden) words.caption = $('result').textContent;
+    return Object.entries(words).filter(([, text]) => text !== '').map(([kind, text]) => ({ kind, words: text }));
+  }
+
   show({ state, clock }, side, isTaken, now) {
     for (const event of state.events) if (!COACH.includes(event.kind)) this.say(event.words, now);
     this.putCoach(state.coach);
     if (state.task) this.putTask(state.task);
     else this.putKnot(state.knot, now);
-    this.putTool(state.tools[side], side, isTaken, clock.paused);
+    this.putTool(state.tools[side], side, isTaken, clock.paused, Boolean(state.replay));
     this.putClock(clock);
     this.said = this.said.filter(caption => caption.until > now);
     set('caption', this.said.map(caption => caption.words).join('; '));

@@ -26,10 +26,10 @@ export class Desk {
     this.listen();
   }
 
-  begin(look, tools) {
+  begin(look, tools, side) {
     this.firstLook = { ...look };
     this.look = { ...look };
-    this.side = 1;
+    this.side = side;
     this.closes = tools.map(tool => tool.closes);
     this.pulled = '';
     this.clutched = false;
@@ -129,7 +129,8 @@ export class Desk {
     if (key === 'Tab' && !this.taken) return; // from button to button, as on any page
     if (!event.repeat) {
       const once = { Tab: () => this.other(), p: this.act.pause, r: this.act.again, h: this.act.help, 3: this.act.tension,
-        x: () => this.send({ name: 'exchange', side: this.side }), Home: () => { this.look = { ...this.firstLook }; },
+        x: () => this.send({ name: 'exchange', side: this.side }), ',': () => this.act.jump(-1, event.shiftKey), '.': () => this.act.jump(1, event.shiftKey),
+        '<': () => this.act.jump(-1, true), '>': () => this.act.jump(1, true), Home: () => { this.look = { ...this.firstLook }; },
         Escape: () => this.release() };
       if (Object.hasOwn(once, key)) once[key]();
     }

@@ -1,14 +1,18 @@
 // A headset by WebXR: both eyes see the scene before them, larger than it is, and each controller holds a tool. The trigger closes
 // its jaws; while the grip button is held the tool stays (and the thumbstick makes the scene larger or smaller); A or X exchanges
-// it.
+// it; B or Y brings the scene before the head again. A hand that is tracked does the same by gestures (tracked_hand.js).
+import { mirrorScene } from './mirror.js';
+import { Panel } from './panel.js';
 import { Placement, product, rotate } from './pose.js';
+import { JOINTS, TrackedHand } from './tracked_hand.js';
+import { PORTS, throughPort } from './trocar.js';
 
 const SCALE = 5, SMALLEST = 1, LARGEST = 10;
 const GROWTH = 0.8; // 1/s, at the end of the thumbstick
 const DEAD = 0.3; // of the thumbstick
-const BEFORE = 0.5, BELOW = 0.3; // m from the head
+const BEFORE = 0.5, BELOW = { seated: 0.3, standing: 0.42 }; // m from the head
 const TIP = 0.12; // m, from the controller to its tool's tip
-const TRIGGER = 0, GRIP = 1, EXCHANGE = 4; // buttons of xr-standard
+const TRIGGER = 0, GRIP = 1, EXCHANGE = 4, AGAIN = 5; // buttons of xr-standard
 const FULL_FORCE = 2; // N, of the strongest pulse
 const PULSE = 30; // ms
 const NEAR = 0.03, FAR = 20; // m
@@ -18,10 +22,11 @@ const SIDES = { left: 0, right: 1 };
 const values = p => [p.x, p.y, p.z];
 
 export class Headset {
-  // `page` has send, renderer, and takes pictures by exchange(now).
+  // `page` has send, renderer, settings, captions, and takes pictures by exchange(now).
   constructor(page) {
     this.page = page;
-    this.session = this.placement = this.last = null;
+    this.session = this.placement = this.last = this.panel = null;
+    this.hands = [new TrackedHand(false), new TrackedHand(true)];
     this.scale = SCALE;
     this.pressed = [false, false];
     this.tracked = [false, false];
@@ -33,8 +38,9 @@ export class Headset {
 
   async enter() {
     const { gl } = this.page.renderer;
-    const session = await navigator.xr.requestSession('immersive-vr');
+    const session = await navigator.xr.requestSession('immersive-vr', { optionalFeatures: ['hand-tracking'] });
     await gl.makeXRCompatible();
+    this.panel = this.panel || new Panel(gl);
     this.layer = new XRWebGLLayer(session, gl, { antialias: false });
     session.updateRenderState({ baseLayer: this.layer, depthNear: NEAR, depthFar: FAR });
     this.space = await session.requestReferenceSpace('local');
@@ -68,7 +74,8 @@ export class Headset {
     const forward = rotate([w, x, y, z], [0, 0, -1]);
     const turn = Math.atan2(-forward[0], -forward[2]);
     const [px, py, pz] = values(head.transform.position);
-    const at = [px - BEFORE * Math.sin(turn), py - BELOW, pz - BEFORE * Math.cos(turn)];
+    const below = this.page.settings.standing ? BELOW.standing : BELOW.seated;
+    const at = [px - BEFORE * Math.sin(turn), py - below, pz - BEFORE * Math.cos(turn)];
     this.turn = turn;
     this.placement = new Placement(target, at, turn, this.scale);
   }
@@ -86,21 +93,51 @@ export class Headset {
     this.pressed[side] = isDown;
   }
 
-  lead(frame, source, seconds) {
-    const side = SIDES[source.handedness], pad = source.gamepad;
-    const pose = side === undefined || !pad ? null : frame.getPose(source.targetRaySpace, this.space);
-    if (!pose) return; // it stays where it was
+  // What a controller says: null while it is not seen.
+  readController(frame, { targetRaySpace, gamepad }) {
+    const pose = gamepad ? frame.getPose(targetRaySpace, this.space) : null;
+    if (!pose) return null;
+    const isDown = button => Boolean(gamepad.buttons[button] && gamepad.buttons[button].pressed);
     const { x, y, z, w } = pose.transform.orientation;
-    const ahead = rotate([w, x, y, z], [0, 0, -TIP]);
-    const tip = values(pose.transform.position).map((n, i) => n + ahead[i]);
-    const clutched = Boolean(pad.buttons[GRIP] && pad.buttons[GRIP].pressed);
-    if (clutched) this.grow(pad.axes, seconds);
-    this.exchange(side, Boolean(pad.buttons[EXCHANGE] && pad.buttons[EXCHANGE].pressed));
+    return { position: values(pose.transform.position), orientation: [w, x, y, z], jaw: 1 - gamepad.buttons[TRIGGER].value, clutched: isDown(GRIP),
+      exchanges: isDown(EXCHANGE), again: isDown(AGAIN), axes: gamepad.axes };
+  }
+
+  readHand(frame, { hand }, side) {
+    const at = {};
+    for (const name of JOINTS) {
+      const space = hand.get(name);
+      const pose = space ? frame.getJointPose(space, this.space) : null;
+      at[name] = pose ? values(pose.transform.position) : null;
+    }
+    return this.hands[side].read(at);
+  }
+
+  // Of the scene; through its port, if it has one, by a turn of the tool, whose tip is where the last picture has it: a clutch has
+  // taken it away from the hand.
+  poseInScene(side, { position, orientation }) {
+    const ahead = rotate(orientation, [0, 0, -TIP]);
+    const tip = this.placement.toScene(position.map((n, i) => n + ahead[i]));
+    const turned = this.placement.orientationToScene(orientation);
+    const { shown, settings } = this.page;
+    const through = settings.ports && shown ? throughPort(PORTS[side], shown.state.tools[side].target, turned) : turned;
+    return through && { position: tip, orientation: through };
+  }
+
+  lead(frame, source, seconds) {
+    const side = SIDES[source.handedness];
+    if (side === undefined) return;
+    const said = source.hand ? this.readHand(frame, source, side) : this.readController(frame, source);
+    if (!said) return; // it stays where it was
+    if (said.clutched) this.grow(said.axes, seconds);
+    if (said.again) this.placement = null; // anew with the next picture
+    this.exchange(side, said.exchanges);
+    const pose = this.placement && this.poseInScene(side, said);
+    if (!pose) return;
     if (!this.tracked[side]) this.page.send({ name: 'track', side, tracked: true });
     this.tracked[side] = true;
-    this.page.send({ name: 'pose', side, position: this.placement.toScene(tip), orientation: this.placement.orientationToScene([w, x, y, z]),
-      jaw: 1 - pad.buttons[TRIGGER].value, clutched, seconds });
-    this.pulse(side, pad);
+    this.page.send({ name: 'pose', side, ...pose, jaw: said.jaw, clutched: said.clutched, seconds });
+    if (source.gamepad) this.pulse(side, source.gamepad);
   }
 
   // What the tool feels.
@@ -112,15 +149,17 @@ export class Headset {
   }
 
   drawEyes(frame, head, view) {
-    const { renderer } = this.page;
-    const stage = this.placement.matrix();
+    const { renderer, mirrored } = this.page;
+    const stage = mirrored ? mirrorScene(this.placement.matrix()) : this.placement.matrix();
     const lamp = { ...view, clear: 0 };
     renderer.drawShadows(lamp);
     for (const eye of head.views) {
       const at = this.layer.getViewport(eye);
-      const seen = product(product(eye.projectionMatrix, eye.transform.inverse.matrix), stage);
-      renderer.drawEye({ ...lamp, seen, eye: this.placement.toScene(values(eye.transform.position)) }, this.layer.framebuffer,
-        [at.x, at.y, at.width, at.height], DARK);
+      const room = product(eye.projectionMatrix, eye.transform.inverse.matrix);
+      const from = this.placement.toScene(values(eye.transform.position));
+      if (mirrored) from[0] = -from[0];
+      renderer.drawEye({ ...lamp, seen: product(room, stage), eye: from }, this.layer.framebuffer, [at.x, at.y, at.width, at.height], DARK,
+        undefined, () => this.panel.draw(room, this.placement.place, this.turn));
     }
   }
 
@@ -134,6 +173,8 @@ export class Headset {
     if (!head || !view) return;
     if (!this.placement) this.place(head, view.target);
     for (const source of this.session.inputSources) this.lead(frame, source, seconds);
+    if (!this.placement) this.place(head, view.target);
+    this.panel.write(this.page.captions.lines());
     this.drawEyes(frame, head, view);
   }
 }

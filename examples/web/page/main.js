@@ -3,10 +3,14 @@ import workerText from 'suturing-worker';
 import { Captions } from './captions.js';
 import { Desk } from './desk.js';
 import { Headset } from './headset.js';
+import { mirrorMessage, mirrorPicture, mirrorState } from './mirror.js';
 import { Renderer, readView } from './renderer.js';
+import { Settings } from './settings.js';
+import { Timeline } from './timeline.js';
 
 const $ = id => document.getElementById(id);
 const MAX_PIXELS = 2; // a unit of the screen
+const BY_HANDS = ['move', 'pull', 'close', 'clutch', 'exchange', 'track', 'pose'];
 
 class Page {
   constructor() {
@@ -17,11 +21,16 @@ class Page {
     this.captions.begin();
     this.scene = { scene: 2, seed: 0 };
     this.paused = true;
+    this.log = null;
     this.renderer = this.arrived = this.shown = this.last = null;
     this.buffers = {};
     this.frames = 0;
-    this.asked = false;
-    const act = { pause: () => this.pause(!this.paused), again: () => this.begin(), help: () => this.help(), tension: () => this.tension() };
+    this.asked = this.mirrored = false;
+    this.settings = new Settings($, () => this.restyle());
+    this.restyle();
+    this.timeline = new Timeline($, step => this.send({ name: 'seek', step }));
+    const act = { pause: () => this.pause(!this.paused), again: () => this.begin(), help: () => this.help(), tension: () => this.tension(),
+      jump: (direction, isSmall) => this.timeline.jump(direction, isSmall) };
     this.desk = new Desk($('canvas'), message => this.send(message), act);
     this.headset = new Headset(this);
     this.listen();
@@ -30,7 +39,8 @@ class Page {
   }
 
   send(message, buffers = []) {
-    this.worker.postMessage(message, buffers);
+    if (this.log && BY_HANDS.includes(message.name)) return; // the log has its own
+    this.worker.postMessage(this.mirrored ? mirrorMessage(message) : message, buffers);
   }
 
   fail(words) {
@@ -64,15 +74,16 @@ class Page {
   hearBegun({ look, programs, resolution }) {
     this.captions.putResolution(resolution);
     this.renderer = this.renderer || new Renderer($('canvas'), programs);
-    this.firstLook = look;
-    this.desk.look = this.desk.look || { ...look };
+    this.firstLook = this.mirrored ? { ...look, aside: -look.aside } : look;
+    this.desk.look = this.desk.look || { ...this.firstLook };
     this.fresh = true;
   }
 
   hearFrame(frame) {
-    if (this.fresh) this.desk.begin(this.firstLook, frame.state.tools);
+    const state = this.mirrored ? mirrorState(frame.state) : frame.state;
+    if (this.fresh) this.desk.begin(this.firstLook, state.tools, this.mirrored ? 0 : 1);
     this.fresh = false;
-    this.arrived = frame;
+    this.arrived = { ...frame, state };
     this.asked = false;
   }
 
@@ -85,6 +96,11 @@ class Page {
     setTimeout(() => URL.revokeObjectURL(link.href), 10000);
   }
 
+  hearSought({ hashes }) {
+    this.hashes = hashes;
+    this.timeline.arrive();
+  }
+
   hearStepped(hashes) {
     this.hashes = hashes;
   }
@@ -92,9 +108,21 @@ class Page {
   // ---- what the person does
 
   begin() {
+    this.renew();
+    if (this.log) this.send({ name: 'replay', bytes: this.log });
+    else this.send({ name: 'begin', fits: true, ...this.scene });
+  }
+
+  renew() {
     this.captions.begin();
     this.headset.renew();
-    this.send({ name: 'begin', fits: true, ...this.scene });
+    this.timeline.begin();
+    $('save').hidden = Boolean(this.log);
+    this.mirrored = this.settings.leftHanded;
+  }
+
+  restyle() {
+    document.documentElement.classList.toggle('contrast', this.settings.contrast);
   }
 
   pause(wanted) {
@@ -114,6 +142,17 @@ class Page {
 
   choose(scene) {
     this.scene.scene = scene;
+    this.log = null;
+    this.go();
+  }
+
+  // A log that was saved, by this page or by another program.
+  async play(file) {
+    this.log = await file.arrayBuffer();
+    this.go();
+  }
+
+  go() {
     $('start').hidden = true;
     this.begin();
     this.pause(false);
@@ -136,6 +175,11 @@ class Page {
         if (event.detail > 0) $(id).blur(); // so that space is the clutch again
       });
     }
+    $('log').addEventListener('change', () => {
+      const [file] = $('log').files;
+      if (file) this.play(file);
+      $('log').value = '';
+    });
     document.addEventListener('visibilitychange', () => {
       if (document.hidden && !this.paused && !this.headset.session) this.pause(true);
     });
@@ -153,8 +197,11 @@ class Page {
   show(frame, now) {
     this.renderer.upload(frame.arrays);
     for (const [name, array] of Object.entries(frame.arrays)) this.buffers[name] = array.buffer;
+    this.timeline.show(frame.state);
     this.captions.show(frame, this.desk.side, this.desk.taken, now);
-    this.shown = { ...frame, view: readView(frame.view) };
+    const view = readView(frame.view);
+    if (this.mirrored) Object.assign(view, { seen: mirrorPicture(view.seen), target: view.target.map((n, i) => (i === 0 ? -n : n)) });
+    this.shown = { ...frame, view };
     this.frames++;
   }
 

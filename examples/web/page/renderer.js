@@ -141,11 +141,12 @@ export class Renderer {
     this.drawEye(view, null, [0, 0, width, height], [0, 0, 0], view);
   }
 
-  // Into a part of a frame; shadows are drawn already. Without a lens as eyes see it.
-  drawEye(view, frame, viewport, background, lens) {
+  // Into a part of a frame; shadows are drawn already. Without a lens as eyes see it. `drawMore` draws among the rest.
+  drawEye(view, frame, viewport, background, lens, drawMore = () => {}) {
     this.lens.resize(viewport[2], viewport[3]);
     this.lens.open(background);
     this.drawSeen(view);
+    drawMore();
     this.lens.close(frame, viewport, lens);
   }
 }

@@ -40,6 +40,18 @@ export class Simulation {
     this.check(this.calls.page_begin(scene, seed), 'the scene cannot be made');
   }
 
+  // A log as it was saved, in place of hands.
+  replay(bytes) {
+    const at = this.calls.page_room(bytes.length);
+    if (at === 0) throw new Error('the log is too large');
+    new Uint8Array(this.calls.memory.buffer, at, bytes.length).set(bytes);
+    this.check(this.calls.page_replay(), 'this is no log that can be played here');
+  }
+
+  seek(step) {
+    this.check(this.calls.page_seek(step), 'the log has no such step');
+  }
+
   step(count) {
     this.check(this.calls.page_step(count), 'a step failed');
   }

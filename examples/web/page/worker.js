@@ -13,6 +13,7 @@ let clock = new StepClock();
 export let simulation = null; // for the worker of tests
 let resolution = null;
 let paused = true, ended = false, asked = false, stepTime = null;
+let left = Infinity; // steps of a log that is played
 
 function again() {
   if (asked || paused || ended) return;
@@ -31,26 +32,29 @@ function run() {
   if (paused || ended) return;
   const begin = performance.now();
   let now = begin, steps = 0;
-  while (now - begin < SLICE && clock.take(now)) {
+  while (now - begin < SLICE && left > 0 && clock.take(now)) {
     simulation.step(1);
+    left--;
     steps++;
     now = performance.now();
   }
   if (steps > 0) note(now - begin, steps);
-  again();
+  if (left > 0) again();
+  else clock.stop();
 }
 channel.port1.onmessage = () => guard(run);
 
 function pause(wanted) {
   paused = wanted;
-  if (wanted) clock.stop();
+  if (wanted || left === 0) clock.stop();
   else clock.start(performance.now());
   again();
 }
 
 // Of a session that was made a moment ago.
-export function begin(resolution = null) {
+export function begin(resolution = null, length = Infinity) {
   ended = false;
+  left = length;
   clock = new StepClock();
   postMessage({ begun: { look: simulation.firstLook(), programs: simulation.programs(), resolution } });
   pause(paused);
@@ -66,6 +70,17 @@ export const heard = {
     simulation.begin(own ? own.scene : scene, seed);
     begin(own);
   },
+  // A saved log, as bytes: it is played from its beginning.
+  replay({ bytes }) {
+    simulation.replay(new Uint8Array(bytes));
+    begin(null, simulation.state().replay.steps);
+  },
+  seek({ step }) {
+    simulation.seek(step);
+    left = simulation.state().replay.steps - step;
+    pause(paused); // the clock begins here
+    postMessage({ sought: { step, hashes: simulation.hashes() } });
+  },
   pause({ wanted }) {
     pause(wanted);
   },
@@ -79,7 +94,7 @@ export const heard = {
     const arrays = simulation.draw(buffers);
     const { steps, late, givenUp } = clock;
     const frame = { arrays, view: simulation.view(), state: simulation.state(),
-      clock: { steps, late, givenUp, factor: clock.measure(performance.now()), stepTime, paused } };
+      clock: { steps, late, givenUp, factor: clock.measure(performance.now()), stepTime, paused, memory: simulation.calls.memory.buffer.byteLength } };
     postMessage({ frame }, Object.values(arrays).map(array => array.buffer));
   },
   move({ side, turns, right, up, away }) {
