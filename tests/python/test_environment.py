@@ -227,6 +227,12 @@ def test_a_picture_shows_the_nearer_of_two_triangles():
         assert abs((picture == (200, 0, 0)).all(axis=2).sum() + (picture == (0, 200, 0)).all(axis=2).sum() - 36 * 36 / 2) < 40
 
 
+def test_a_window_without_pygame_says_what_is_missing(monkeypatch):
+    monkeypatch.setitem(sys.modules, "pygame", None)
+    with ThrowEnvironment(render_mode="human") as environment, pytest.raises(ImportError, match="pip install pygame"):
+        environment.reset(seed=0)
+
+
 def test_an_unknown_render_mode_is_refused():
     with pytest.raises(ValueError):
         ThrowEnvironment(render_mode="ansi")
