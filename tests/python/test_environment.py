@@ -11,7 +11,7 @@ np = pytest.importorskip("numpy")
 import vblast_ss as vb  # noqa: E402
 from conftest import BINDING  # noqa: E402
 from vblast_ss._throw import z_of  # noqa: E402
-from vblast_ss.environment import (FIELDS, GRIP, SHOWN, Box, RandomHands, ScriptedThrow, ThrowEnvironment, run)  # noqa: E402
+from vblast_ss.environment import (FIELDS, GRIP, SHOWN, SPEED, Box, RandomHands, ScriptedThrow, ThrowEnvironment, W, run)  # noqa: E402
 
 STEADY = {"tremor": 0.0, "scatter": 0.0}
 
@@ -126,6 +126,22 @@ def test_jaws_that_close_bring_the_tail_between_them():
         assert np.abs(seen[FIELDS["tail"]] - grasp).max() < 1e-5
 
 
+def test_scripted_hands_meet_a_tail_that_swings():
+    """A tail that nothing stops, at 8 Hz: hands that follow it stay 2 to 4 mm behind."""
+    middle, way = np.array((27e-3, 0.0, 17e-3)), np.array((1.0, 0.6, -1.2)) * 1.5e-3
+    hands = ScriptedThrow()
+    hands.phase = "travel"
+    seen = np.zeros(FIELDS["thread"].stop)
+    seen[FIELDS["w"]], seen[FIELDS["c"]], seen[FIELDS["held_at"]] = middle + (0.0, 6e-3, 8e-3), middle + (0.0, 0.04, 0.04), 0.085
+    for i in range(100):
+        seen[FIELDS["time"]] = 0.01 * i
+        seen[FIELDS["tail"]] = middle + way * np.sin(16.0 * np.pi * 0.01 * i)
+        seen[FIELDS["w"]] += 0.01 * SPEED * hands(seen)[W]
+        if hands.phase == "draw":
+            break
+    assert hands.phase == "draw"
+
+
 def test_scripted_hands_tie_a_throw_and_are_rewarded():
     with ThrowEnvironment() as environment:
         outcome = run(environment, ScriptedThrow(), seed=0)
@@ -225,6 +241,12 @@ def test_a_picture_shows_the_nearer_of_two_triangles():
         assert tuple(picture[9, 9]) == (0, 200, 0) and tuple(picture[20, 5]) == (200, 0, 0)
         assert tuple(picture[39, 39]) == BACKGROUND
         assert abs((picture == (200, 0, 0)).all(axis=2).sum() + (picture == (0, 200, 0)).all(axis=2).sum() - 36 * 36 / 2) < 40
+
+
+def test_a_window_without_pygame_says_what_is_missing(monkeypatch):
+    monkeypatch.setitem(sys.modules, "pygame", None)
+    with ThrowEnvironment(render_mode="human") as environment, pytest.raises(ImportError, match="pip install pygame"):
+        environment.reset(seed=0)
 
 
 def test_an_unknown_render_mode_is_refused():

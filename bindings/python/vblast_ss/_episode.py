@@ -9,6 +9,7 @@ from typing import Any, Mapping, Optional, TypeVar
 import numpy as np
 
 from ._picture import Picture
+from ._window import Window
 
 VIEW_TARGET, VIEW_SIZE = (0.0, 0.01, 0.01), 0.16
 """Middle and height of a picture, m."""
@@ -60,7 +61,7 @@ Box: Any = _GymnasiumBox or _Box
 
 class Episodes(Base):  # type: ignore[misc]
     """An environment over a scene that is made anew for each episode."""
-    metadata: dict[str, Any] = {"render_modes": ["rgb_array"], "render_fps": 100}
+    metadata: dict[str, Any] = {"render_modes": ["human", "rgb_array"], "render_fps": 100}
     spec = None
 
     def __init__(self, time_limit: float, control: int, record: bool, actions: int, observed: int,
@@ -73,6 +74,7 @@ class Episodes(Base):  # type: ignore[misc]
         # Videos then run in simulated time.
         self.metadata = {**self.metadata, "render_fps": max(1, round(1000 / control))}
         self._picture: Any = None
+        self._window: Optional[Window] = None
         self.time_limit, self.control, self.recorded = time_limit, control, record
         self.observation_space = Box(-np.inf, np.inf, (observed,), np.float64)
         self.action_space = Box(-1.0, 1.0, (actions,), np.float64)
@@ -111,28 +113,45 @@ class Episodes(Base):  # type: ignore[misc]
         return self._log
 
     def render(self) -> Any:
-        """With render_mode="rgb_array" the scene, 360 x 480 x 3, uint8; otherwise None. Drawn by numpy alone."""
-        if self.render_mode is None:
-            return None
-        if self._scene is None:
+        """With render_mode="rgb_array" the scene, 360 x 480 x 3, uint8, drawn by numpy alone; otherwise None. With "human" each
+        reset() and step() shows that picture in a window."""
+        if self._scene is None and self.render_mode is not None:
             raise RuntimeError("there is no episode: reset()")
+        return self._drawn() if self.render_mode == "rgb_array" else None
+
+    def _drawn(self) -> Any:
         if self._picture is None:
             self._picture = Picture(self._scene.scene, VIEW_TARGET, VIEW_SIZE)
         return self._picture.draw()
 
-    def close(self) -> None:
+    def _show(self) -> None:
+        """In the window, if there is to be one."""
+        if self.render_mode != "human":
+            return
+        if self._window is None:
+            self._window = Window(type(self).__name__, self.metadata["render_fps"])
+        self._window.show(self._drawn())
+
+    def _end(self) -> None:
+        """Of the episode, whose scene is destroyed; the window stays for the next one."""
         self._picture = None
         if self._scene is not None:
             self._scene.close()
         self._scene = None
         self._over = True
 
+    def close(self) -> None:
+        self._end()
+        if self._window is not None:
+            self._window.close()
+        self._window = None
+
     def __getstate__(self) -> dict[str, Any]:
         """Of a copy, and in a pickle: everything, also an episode that has begun, except the window and the log."""
         if self._scene is not None and self._scene.record is not None:
             raise TypeError("an episode that is recorded cannot be copied or pickled: a log has one writer. Copy the environment "
                             "before reset() or after close()")
-        return {**vars(self), "_picture": None}
+        return {**vars(self), "_picture": None, "_window": None}
 
     def __copy__(self: E) -> E:
         return copy.deepcopy(self)

@@ -22,6 +22,7 @@ NARROWEST, WIDEST = 8e-3, 60e-3  # of C's orbit, m
 LOW, LOW_HANDLE = 2e-3, 12e-3  # m above the drain's top, of C and of its handle
 ACROSS = np.array((0.0, 1.0, 0.0))  # of W's jaws, which lie side by side: the tail comes to rest on both
 AHEAD = 3e-3  # of the tail, from where W comes to it sideways, m
+SWING = 12  # observations in a swing of the tail, 0.12 s: over so many W takes the mean of where it is
 TOUCHING = 0.9e-3  # of the tail from W's grasping point, m: it lies on the jaws, and no turn passes between
 PUSHED = 0.5  # s: so long W comes to the tail from its own side, then from the other
 LATE = 1.0  # s, after which all that is within reach is taken
@@ -68,6 +69,7 @@ class ScriptedThrow:
         self._rises = False
         self._over, self._leash = 0.0, 0.0
         self._since, self._then = 0.0, 0.0
+        self._tails: list[Vector] = []
 
     def __call__(self, observation: Any) -> Any:
         see = {name: observation[place] for name, place in FIELDS.items() if name != "thread"}
@@ -145,17 +147,20 @@ class ScriptedThrow:
     def _travel(self, see: Mapping[str, Any], action: Any, h: float) -> None:
         """Beside the tail's end, then against it, until it lies on the jaws."""
         self._feel(see, h)
-        off = see["w"] - see["tail"]
+        # A tail that swings cannot be followed; its mean can be met, and it comes to rest against the jaws.
+        self._tails = (self._tails + [np.array(see["tail"])])[-SWING:]
+        tail = sum(self._tails) / len(self._tails)
+        off = see["w"] - tail
         side = rotate(turn_from_z(axis_of_w(see["w"])), ACROSS)
         # From the side where W is; pushed away from there, the tail is taken from behind.
         if self._since < PUSHED and dot(side, off) < 0.0:
             side = -side
         near = dot(off, off) - dot(off, side) * dot(off, side) < 1e-6
-        aim = see["tail"] + (0.0 if near else AHEAD) * side
+        aim = tail + (0.0 if near else AHEAD) * side
         action[W] = _toward(aim, see["w"], (0.03 if near else 0.08) * self.haste)
         action[C] = _toward(self._orbit_point(see, see["w"] + 10.0 * STEP * SPEED * action[W], h), see["c"], SPEED)
         self._turn(see, action)
-        distance = length(off)
+        distance = length(see["w"] - see["tail"])
         if distance < TOUCHING or (self._since > LATE and distance < REACH):
             action[W] = action[C] = 0.0
             action[GRIP] = 1.0

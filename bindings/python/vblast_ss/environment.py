@@ -36,7 +36,7 @@ class ThrowEnvironment(Episodes):
         control      steps of 1 ms between actions
         throw_points what a throw is worth, in points of the score, of which a second costs one and a drop five
         record       keep a log of the episode (take_log())
-        render_mode  "rgb_array": render() returns a picture
+        render_mode  "rgb_array": render() returns a picture; "human": a window, by pygame
 
     reset(options=...) takes fields of ThrowTask, such as friction or tremor. Rewards are changes of what the metrics
     say: of the score, which falls with time and drops, and of the throws that stand. An episode is terminated when a
@@ -56,7 +56,7 @@ class ThrowEnvironment(Episodes):
               options: Optional[Mapping[str, Any]] = None) -> tuple[Any, dict[str, Any]]:
         """Begins anew; without a seed the next one of a series that the last seed began."""
         task = ThrowTask(**self._fields(seed, options))
-        self.close()
+        self._end()
         self._scene = ThrowScene(task, record=self.recorded, note=json.dumps({"throw": task._asdict()}).encode())
         self._metrics = Metrics(self._scene.context, throws_wanted=1, weight_drop=5.0,
                                 duration=max(1.0, self.time_limit), stiffness=task.axial_stiffness)
@@ -65,6 +65,7 @@ class ThrowEnvironment(Episodes):
         self._wraps, self._drops = 0, 0
         self._sample()
         self._worth = self._score = self._metrics.report.score
+        self._show()
         return self._observe(), self._info()
 
     def step(self, action: Any) -> tuple[Any, float, bool, bool, dict[str, Any]]:
@@ -92,10 +93,11 @@ class ThrowEnvironment(Episodes):
         info = self._info()
         if error:
             info["error"] = error
+        self._show()
         return self._observe(), reward, terminated, truncated, info
 
-    def close(self) -> None:
-        super().close()
+    def _end(self) -> None:
+        super()._end()
         self._metrics = None
 
     # ---- what happens

@@ -53,7 +53,7 @@ class SutureEnvironment(Episodes):
         phase_points  what each further phase of the session is worth, in points of the metrics' score
         event_points  what events of the session are worth, by name; default EVENT_POINTS
         record        keep a log of the episode (take_log())
-        render_mode   "rgb_array": render() returns a picture
+        render_mode   "rgb_array": render() returns a picture; "human": a window, by pygame
 
     reset(options=...) takes fields of SutureTask, such as segments or tremor. Rewards are changes of the metrics' score (a
     point a second, five a needle dropped, deviations, gap), of the phase, and of events that stand. An episode is terminated
@@ -75,13 +75,14 @@ class SutureEnvironment(Episodes):
               options: Optional[Mapping[str, Any]] = None) -> tuple[Any, dict[str, Any]]:
         """Begins anew; without a seed the next one of a series that the last seed began."""
         task = SutureTask(**self._fields(seed, options))
-        self.close()
+        self._end()
         duration = self.time_limit + 1.0  # of the metrics
         self._scene = SutureScene(task, duration=duration, record=self.recorded,
                                   note=json.dumps({"suture": {**task._asdict(), "duration": duration}}).encode())
         self._log, self._over, self._heard, self._phase = b"", False, 0, int(SessionPhase.LOADING)
         self._standing: set[tuple[SessionEventKind, int]] = set()
         self._worth = self._worth_now([])
+        self._show()
         return self._observe(), self._info([])
 
     def step(self, action: Any) -> tuple[Any, float, bool, bool, dict[str, Any]]:
@@ -106,6 +107,7 @@ class SutureEnvironment(Episodes):
         info = self._info(events)
         if error:
             info["error"] = error
+        self._show()
         return self._observe(), reward, terminated, truncated, info
 
     # ---- what happens
