@@ -73,7 +73,7 @@ static void make_strip(visual_section *s)
 {
     for (uint32_t i = 0; i < s->joint_count; i++) {
         const uint32_t a = s->joints[i], b = s->count + a;
-        uint32_t(*out)[3] = &s->strip[2 * i];
+        uint32_t(*out)[3] = &s->strip[2 * (size_t)i];
         out[0][0] = a;
         out[0][1] = out[1][0] = a + 1;
         out[0][2] = out[1][2] = b;

@@ -61,7 +61,7 @@ static void write_edge_attributes(const visual_wall *w)
     const scene_drain_info *d = w->drain;
     const uint32_t n = w->divisions;
     uint32_t vertex = d->node_count;
-    visual_vertex *rim = &w->outer[2 * w->face_count];
+    visual_vertex *rim = &w->outer[2 * (size_t)w->face_count];
     for (uint32_t i = 0; i < d->edge_count; i++) {
         const bool is_free = d->edges[i][3] == SCENE_INSPECT_NONE;
         for (uint32_t k = 0; k <= n; k++) {

@@ -128,14 +128,14 @@ def test_jaws_that_close_bring_the_tail_between_them():
 
 def test_scripted_hands_meet_a_tail_that_swings():
     """A tail that nothing stops, at 8 Hz: hands that follow it stay 2 to 4 mm behind."""
-    middle, way = np.array((27e-3, 0.0, 17e-3)), np.array((1.0, 0.6, -1.2)) * 1.5e-3
+    middle, amplitude = np.array((27e-3, 0.0, 17e-3)), np.array((1.0, 0.6, -1.2)) * 1.5e-3
     hands = ScriptedThrow()
     hands.phase = "travel"
     seen = np.zeros(FIELDS["thread"].stop)
     seen[FIELDS["w"]], seen[FIELDS["c"]], seen[FIELDS["held_at"]] = middle + (0.0, 6e-3, 8e-3), middle + (0.0, 0.04, 0.04), 0.085
     for i in range(100):
         seen[FIELDS["time"]] = 0.01 * i
-        seen[FIELDS["tail"]] = middle + way * np.sin(16.0 * np.pi * 0.01 * i)
+        seen[FIELDS["tail"]] = middle + amplitude * np.sin(16.0 * np.pi * 0.01 * i)
         seen[FIELDS["w"]] += 0.01 * SPEED * hands(seen)[W]
         if hands.phase == "draw":
             break

@@ -78,7 +78,7 @@ static void scene_events_are_in_log(void **state)
         const vbss_replay_logged_step step = read_step(replay, i);
         assert_int_equal(step.event_count, v.events_after[i] - v.events_after[i - 1]);
         for (uint32_t k = 0; k < step.event_count; k++) {
-            expect_logged(&v.events[found++], &step.events[4 * k], step.h);
+            expect_logged(&v.events[found++], &step.events[4 * (size_t)k], step.h);
         }
     }
     assert_int_equal(found, v.event_count);

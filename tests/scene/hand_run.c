@@ -209,13 +209,13 @@ void hand_run_steps(hand_run *r, uint32_t count)
 
 void hand_run_print(const hand_run *r, const char *name, double speed)
 {
+    const unsigned long long passed =
+        r->watch.passed + r->watch.passed_drain + r->watch.needle.passed + r->watch.below;
     print_message(
         "%s at %g times: %llu substeps, %llu grasps, fastest node %.1f m/s, largest force "
         "%.2f N, passed %llu\n",
         name, speed, (unsigned long long)r->watch.substeps, (unsigned long long)r->grasps,
-        r->watch.fastest, r->largest_force,
-        (unsigned long long)(r->watch.passed + r->watch.passed_drain + r->watch.needle.passed +
-                             r->watch.below));
+        r->watch.fastest, r->largest_force, passed);
 }
 
 void hand_run_expect_kept(const hand_run *r)

@@ -32,14 +32,14 @@ def over(text, behind):
 def check(style, panel):
     root = dict(re.findall(r"--(\w+): (#\w+)", style.split("}")[0]))
     box = re.search(r"background: (#\w{8}); border: 1px solid var\(--line\)", style).group(1)
-    least = {}
+    lowest = {}
     for name in ("ink", "pale", "good", "warn", "bad"):
-        least[name] = ratio(rgb(root[name]), over(box, BRIGHT_TISSUE))
+        lowest[name] = ratio(rgb(root[name]), over(box, BRIGHT_TISSUE))
     for name in ("ink", "warn"):  # of tool and clock
-        least[f"{name} on its shade"] = ratio(rgb(root[name]), over(root["shade"], (120, 75, 65)))
+        lowest[f"{name} on its shade"] = ratio(rgb(root[name]), over(root["shade"], (120, 75, 65)))
     shade = rgb(re.search(r"SHADE = '(#\w+)'", panel).group(1))
     for name, colour in re.findall(r"(\w+): '(#\w{6})'", re.search(r"INK = {(.*)}", panel).group(1)):
-        least[f"panel, {name}"] = ratio(rgb(colour), shade)
-    low = {name: round(value, 1) for name, value in least.items() if value < WANTED}
+        lowest[f"panel, {name}"] = ratio(rgb(colour), shade)
+    low = {name: round(value, 1) for name, value in lowest.items() if value < WANTED}
     assert not low, f"contrast below {WANTED}: {low}"
-    return f"contrast of letters: {min(least.values()):.1f} or more"
+    return f"contrast of letters: {min(lowest.values()):.1f} or more"
