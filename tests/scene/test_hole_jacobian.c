@@ -98,7 +98,8 @@ static suture_curve_point place_near(const swaged *w, const lie *at, uint32_t sp
 
 static void shift_wall(const swaged *w, vec3 *x, vec3 to)
 {
-    const vec3 off = vec3_sub(to, vbss_hole_point(w->hole, w->drain, x));
+    const vec3 off =
+        vec3_sub(to, vbss_drain_point(w->drain, x, w->hole->triangle, w->hole->barycentric));
     for (int k = 0; k < 3; k++) {
         vec3 *corner = &x[w->drain->mesh.triangles[w->hole->triangle][k]];
         *corner = vec3_add(*corner, off);
