@@ -104,10 +104,10 @@ static void add_wall_jacobian(contact_constraint *constraint, const scene_hole_c
         return;
     }
     for (uint32_t k = 0; k < 3; k++) {
-        const uint32_t block =
+        const uint32_t block_index =
             h != NULL ? scene_first_vertex_block(&b->rigid) + h->touched_index[nodes[k]]
                       : b->drain.first_block + b->drain.drain->order.block_index[nodes[k]];
-        vbss_scene_add_jacobian_block(constraint, block, -hole->barycentric[k]);
+        vbss_scene_add_jacobian_block(constraint, block_index, -hole->barycentric[k]);
     }
 }
 
