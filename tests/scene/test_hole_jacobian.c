@@ -53,7 +53,7 @@ static void begin(swaged *w)
     w->needle = &vbss_scene_body(w->scene, w->needle_body)->rigid;
     w->thread->is_derived_valid = false; /* segments get other lengths */
     w->hole = &w->scene->holes[0];
-    *w->hole = (suture_hole){.id = 1, .drain = wall, .triangle = 7, .barycentric = {0.2, 0.3, 0.5}};
+    *w->hole = (suture_hole){.id = 1, .wall = wall, .triangle = 7, .barycentric = {0.2, 0.3, 0.5}};
     vbss_scene_number_blocks(w->scene);
 }
 

@@ -7,7 +7,7 @@
 
 #define H 1e-3
 #define SIDE 30e-3
-#define FRICTION 0.02 /* N, of a slack thread in a hole */
+#define FRICTION 0.025 /* N, of a slack thread in a hole */
 #define LENGTH 20e-3  /* of the thread */
 enum { CELLS = 12, SEGMENTS = 40, TRIANGLE = CELLS * CELLS };
 
