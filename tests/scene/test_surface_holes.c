@@ -8,7 +8,7 @@
 #define H 1e-3
 #define SIDE 30e-3
 #define FRICTION 0.025 /* N, of a slack thread in a hole */
-#define LENGTH 20e-3  /* of the thread */
+#define LENGTH 20e-3   /* of the thread */
 enum { CELLS = 12, SEGMENTS = 40, TRIANGLE = CELLS * CELLS };
 
 static const double shares[3] = {0.2, 0.3, 0.5};
@@ -164,7 +164,7 @@ static void corners_share_the_force_of_a_hole(void **state)
 }
 
 /* Each vertex gives way by its compliance times its share. */
-static void vertices_give_way_to_a_hole(void **state)
+static void vertices_yield_to_a_hole(void **state)
 {
     (void)state;
     static double compliance[PAD_NODES];
@@ -300,7 +300,7 @@ int test_surface_holes(void)
     const struct CMUnitTest tests[] = {
         harness_test(hole_has_the_forces_of_the_same_hole_in_a_shell),
         harness_test(corners_share_the_force_of_a_hole),
-        harness_test(vertices_give_way_to_a_hole),
+        harness_test(vertices_yield_to_a_hole),
         harness_test(needle_enters_above_the_puncture_force),
         harness_test(loaded_scene_has_the_hole),
         harness_test(refused_holes_change_nothing),
