@@ -108,7 +108,7 @@ typedef struct vbss_scene_config {
      * Without capacity the jaws stay open. */
     uint32_t grasp_capacity;
     uint32_t drain_capacity; /**< Largest number of drains at a time, 0 to 16; default 1. */
-    /** Largest number of holes of needles and threads in drains at a time, 0 to 256; default 16. */
+    /** Largest number of holes of needles and threads in walls at a time, 0 to 256; default 16. */
     uint32_t hole_capacity;
     /** Treatment of overlapping new bodies; default VBSS_SCENE_OVERLAP_WARN. */
     vbss_scene_overlap_policy overlap;
@@ -443,16 +443,17 @@ typedef struct vbss_scene_blocker {
     double depth; /**< Their deepest overlap in the last step that held them back, m; 0: none. */
 } vbss_scene_blocker;
 
-/** A hole of a needle or a thread in a drain. */
+/** A hole of a needle or a thread in a drain or host surface. */
 typedef struct vbss_scene_hole {
     uint32_t struct_size; /**< Bytes of this struct that the library filled. */
     uint32_t id;          /**< Identifier from 1 on, in the order of creation; never reused. */
     uint32_t needle;      /**< Number of the needle in the hole; 0: a thread is in it. */
-    uint32_t drain;       /**< Number of the drain. */
-    uint32_t triangle;    /**< Triangle of the drain. */
+    uint32_t drain;       /**< Number of the drain or host surface. */
+    uint32_t triangle;    /**< Triangle of it. */
     uint32_t outward;     /**< 1: the tip went through from inside; 0: from outside. */
     double weights[3];    /**< Weights of the triangle's nodes at the hole. */
-    /** Position of the hole on the drain at rest, m: VBSS_DRAIN_VIEW_REST_POSITIONS. */
+    /** Position of the hole on the drain at rest, m: VBSS_DRAIN_VIEW_REST_POSITIONS. In a host surface the
+     * same as `position`. */
     double rest_position[3];
     double position[3]; /**< Current position of the hole, in the middle of the wall, m. */
     /** Unit direction of the suture at the hole, towards the needle's tip, or the thread's
@@ -868,7 +869,7 @@ VBSS_API vbss_result vbss_scene_get_grasp(vbss_scene *scene, uint32_t tool, uint
                                           vbss_scene_grasp *grasp, uint32_t struct_size);
 
 /**
- * Returns a hole of a needle or a thread in a drain, after the last step.
+ * Returns a hole of a needle or a thread in a drain or host surface, after the last step.
  *
  * @param scene        the scene
  * @param index        index of the hole, from 0 on; the order may change with the next step
@@ -900,15 +901,15 @@ VBSS_API vbss_result vbss_scene_get_blocker(vbss_scene *scene, uint32_t index,
                                             vbss_scene_blocker *blocker, uint32_t struct_size);
 
 /**
- * Makes a hole where a thread or a needle already goes through the wall of a drain, for hosts that
+ * Makes a hole where a thread or a needle already goes through the wall of a drain or host surface, for hosts that
  * lay out a stitch. Afterwards the hole behaves as if a needle had made it.
  *
  * @param scene       the scene, of method IMPLICIT
  * @param body        the thread or the needle; a thread of three nodes at least
  * @param arc_length  approximate arc length of the hole, m, 0 to its length; the hole is at the
  *         nearest place of the suture that a descent from there finds
- * @param drain       the drain
- * @param triangle of the drain in VBSS_DRAIN_VIEW_TRIANGLES
+ * @param drain       the drain or host surface
+ * @param triangle    its triangle: of a drain in VBSS_DRAIN_VIEW_TRIANGLES, of a host surface as it was added
  * @param weights     three weights of its nodes at the hole, 0 to 1, with the sum 1
  * @param[out] id     receives the identifier of the hole; may be NULL
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_OUT_OF_RANGE (a

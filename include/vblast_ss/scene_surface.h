@@ -51,6 +51,21 @@ typedef struct vbss_scene_surface_config {
      * 3 x 3. Values are set by #vbss_scene_set_surface_compliance, and are zero before. */
     uint32_t compliance_size;
     uint32_t reserved; /**< Zero. */
+    /** Force along the direction of a tip at which it enters the wall, N, 1e-3 to 1e3; 0 (default): no tip
+     * enters by force, and holes are those of #vbss_scene_make_hole only. */
+    double puncture_force;
+    double
+        hole_force; /**< Friction of a hole with a needle that slides in it, N, 1e-6 to 1e3; default 0.25. */
+    /** Coefficient of the additional friction from the force across the suture, 0 to 10; default 0.3. */
+    double hole_friction;
+    /** Stiffness of a hole across and along the suture in it, N/m, 1 to 1e7; default 2e4. */
+    double hole_stiffness;
+    double hole_damping; /**< Damping of sliding in a hole, N s/m, 0 to 1e3; default 0.05. */
+    /** Length of a tip's path through the wall over which puncture_force falls to hole_force, m, 0 to 0.1;
+     * default 0.5e-3. */
+    double tip_length;
+    double
+        thread_force; /**< Friction of a hole with a slack thread in it, N, 1e-6 to 1e3; default 0.02. */
 } vbss_scene_surface_config;
 
 /** An array of a host surface: a VBSS_SCENE_SURFACE_VIEW_ constant. */
@@ -63,10 +78,11 @@ enum {
     VBSS_SCENE_SURFACE_VIEW_POSITIONS = 1,
     /** Positions that the host gave last, m: vertex_count times x, y, z. */
     VBSS_SCENE_SURFACE_VIEW_TARGETS = 2,
-    /** Contact forces on the vertices at the end of the last step, friction included, N: vertex_count
+    /** Forces of contacts and holes on the vertices at the end of the last step, friction included, N: vertex_count
      * times x, y, z. Each contact force acts at a point of the middle of the wall, and the corners of
      * the triangle or edge there share it by its barycentric coordinates. So the forces on the
-     * vertices have the sum and the torque of the contact forces at these points. After a step of which
+     * vertices have the sum and the torque of the contact forces at these points. The corners of the triangle
+     * in which a hole is share its force in the same way. After a step of which
      * the scene left out a part they are those of the step before. */
     VBSS_SCENE_SURFACE_VIEW_FORCES = 3
 };
@@ -104,8 +120,8 @@ static inline vbss_scene_surface_config vbss_scene_surface_config_default(void)
 /**
  * Adds a host surface: a static mesh that moves (#vbss_scene_add_static_mesh). It counts as one of the
  * scene's rigid bodies (rigid_capacity). It touches neither itself nor static meshes nor other host
- * surfaces. No node can be pinned to it, and no hole be made in it. A driven body and the
- * surface do not press on each other, because both follow the host exactly: the guard holds both back.
+ * surfaces. No node can be pinned to it. Needles and threads pass through it by holes, as through a drain
+ * (#vbss_scene_make_hole, puncture_force). A driven body and the surface do not press on each other, because both follow the host exactly: the guard holds both back.
  * Vertices with a compliance (#vbss_scene_set_surface_compliance) give way to it, and a coupled tool gives
  * way itself. The call allocates all memory that steps need for the surface.
  * #vbss_scene_get_rigid reports the sum of the contact forces on it.

@@ -49,9 +49,10 @@ static vbss_result carry(scene_object *s, uint32_t i, double h)
 {
     suture_hole *hole = &s->holes[i];
     const scene_rigid *r = &vbss_scene_body(s, hole->needle)->rigid;
-    drain_object *d = vbss_scene_body(s, hole->drain)->drain.drain;
-    const contact_key key = {VBSS_SCENE_CONTACT_HOLE, hole->needle, i, hole->drain, 0};
-    vec3 displacement = displacement_to_needle(hole, r, vbss_hole_point(hole, d, d->x));
+    drain_object *d = vbss_scene_body(s, hole->wall)->drain.drain;
+    const contact_key key = {VBSS_SCENE_CONTACT_HOLE, hole->needle, i, hole->wall, 0};
+    vec3 displacement = displacement_to_needle(
+        hole, r, vbss_drain_point(d, d->x, hole->triangle, hole->barycentric));
     vec3 push = carry_triangle(hole, d, displacement, h);
     if (vec3_norm(displacement) < BASELINE_MIN_DEPTH_RATIO * d->config.thickness ||
         vec3_norm_squared(push) == 0.0) {
@@ -75,8 +76,8 @@ vbss_result vbss_baseline_carry_holes(scene_object *s, double h)
 void vbss_baseline_locate_hole_contact(const scene_object *s, scene_contact_record *hit)
 {
     const suture_hole *hole = &s->holes[hit->key.feature_a];
-    const drain_object *d = vbss_scene_body(s, hole->drain)->drain.drain;
-    hit->point = vbss_hole_point(hole, d, d->x);
+    const drain_object *d = vbss_scene_body(s, hole->wall)->drain.drain;
+    hit->point = vbss_drain_point(d, d->x, hole->triangle, hole->barycentric);
     hit->gap = 0.0;
 }
 
@@ -102,7 +103,7 @@ bool vbss_baseline_is_in_hole(const scene_object *s, const scene_body *needle, u
     double reach = SCENE_EXCLUSION_ARC_RATIO * (n->config.wire_radius + 0.5 * d->config.thickness);
     for (uint32_t i = 0; i < s->config.hole_capacity; i++) {
         const suture_hole *hole = &s->holes[i];
-        if (hole->id != 0 && hole->needle == needle->number && hole->drain == drain->number &&
+        if (hole->id != 0 && hole->needle == needle->number && hole->wall == drain->number &&
             hole->arc > vbss_needle_vertex_arc(n, capsule) - reach &&
             hole->arc < vbss_needle_vertex_arc(n, capsule + 1) + reach &&
             has_node_of(d, nodes, hole->triangle)) {
@@ -143,7 +144,9 @@ static void find_punctures(scene_object *s, const scene_body *needle, const scen
     suture_hole made;
     vbss_baseline_set_probe_points(r->needle, at, d->config.thickness, probe.points);
     while (vbss_baseline_find_puncture(&probe, toggles, &made)) {
-        made.arc = vbss_suture_nearest_point(&line, 0.0, vbss_hole_point(&made, d, d->x)).arc;
+        made.arc = vbss_suture_nearest_point(
+                       &line, 0.0, vbss_drain_point(d, d->x, made.triangle, made.barycentric))
+                       .arc;
         made.max_arc = vbss_max(made.arc, 0.0);
         vbss_scene_add_hole(s, &made, 0.0);
     }

@@ -81,7 +81,7 @@ static bool is_at_hole(const baseline_probe *p, uint32_t t)
 {
     for (uint32_t i = 0; i < p->hole_count; i++) {
         const suture_hole *hole = &p->holes[i];
-        if (hole->id != 0 && hole->needle == p->needle && hole->drain == p->drain &&
+        if (hole->id != 0 && hole->needle == p->needle && hole->wall == p->drain &&
             hole->arc < BASELINE_AT_HOLE_RATIO * p->wall->config.thickness &&
             are_beside(p->wall, hole->triangle, t)) {
             return true;
@@ -113,7 +113,7 @@ bool vbss_baseline_find_puncture(const baseline_probe *probe,
         *toggle = (baseline_toggle){0};
         vbss_suture_normalise_barycentric(c.weights);
         *made = (suture_hole){.needle = probe->needle,
-                              .drain = probe->drain,
+                              .wall = probe->drain,
                               .triangle = t,
                               .barycentric = {c.weights[0], c.weights[1], c.weights[2]},
                               .is_outward = c.outward};

@@ -6,9 +6,18 @@
 /* First version of the stream in which threads pass through holes: a format, derived. */
 enum { VERSION_WITH_THREADS = 5 };
 
-vec3 vbss_hole_point(const suture_hole *hole, const drain_object *d, const vec3 *x)
+vec3 vbss_wall_point(const suture_wall *wall, const vec3 *x, uint32_t triangle,
+                     const double barycentric[3])
 {
-    return vbss_drain_point(d, x, hole->triangle, hole->barycentric);
+    const uint32_t *node = wall->triangles[triangle];
+    vec3 point = vec3_scale(x[node[0]], barycentric[0]);
+    point = vec3_add_scaled(point, barycentric[1], x[node[1]]);
+    return vec3_add_scaled(point, barycentric[2], x[node[2]]);
+}
+
+vec3 vbss_hole_point(const suture_hole *hole, const suture_wall *wall, const vec3 *x)
+{
+    return vbss_wall_point(wall, x, hole->triangle, hole->barycentric);
 }
 
 /* The puncture force fades while the tip passes through, and does not return. */
@@ -84,7 +93,7 @@ void vbss_hole_store_forces(suture_hole *hole, const contact_constraint *constra
 
 void vbss_hole_serialise(vbss_stream *stream, uint16_t first_tag, suture_hole *hole)
 {
-    uint32_t words[] = {hole->needle, hole->drain, hole->triangle, hole->is_outward, hole->thread};
+    uint32_t words[] = {hole->needle, hole->wall, hole->triangle, hole->is_outward, hole->thread};
     uint32_t count = stream->version >= VERSION_WITH_THREADS ? 5 : 4;
     double *numbers[] = {&hole->entry_arc, &hole->arc, &hole->max_arc, &hole->friction_force};
     vbss_stream_u32(stream, first_tag, &hole->id, 1);
@@ -107,7 +116,7 @@ void vbss_hole_serialise(vbss_stream *stream, uint16_t first_tag, suture_hole *h
         vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no such flag");
     }
     hole->needle = words[0];
-    hole->drain = words[1];
+    hole->wall = words[1];
     hole->triangle = words[2];
     hole->is_outward = words[3] != 0;
     hole->thread = words[4];

@@ -1,7 +1,7 @@
 /* Coupling of needle, thread and drain by holes. A tip makes a hole where it enters a wall. The hole then slides along the
  * needle and along the thread behind it.
  *
- * A hole is a material point of the drain on the suture's centre line. A stiffness ties both across the line, and friction acts
+ * A hole is a material point of the wall on the suture's centre line. A stiffness ties both across the line, and friction acts
  * along it (docs/explanation/puncture.md, docs/explanation/stitch.md). puncture.c decides when and where a tip enters, curve.c has the line, and hole.c
  * the forces of a hole. */
 #ifndef VBSS_SUTURE_SUTURE_H
@@ -17,15 +17,44 @@
 
 typedef struct vbss_stream vbss_stream;
 
+/* The wall of a hole: a drain, or a surface that the host moves. */
+typedef struct suture_wall {
+    const vbss_drain_config *law; /* thickness, and the laws of punctures and holes */
+    uint32_t (*triangles)[3];
+    uint32_t triangle_count;
+    /* Nodes of each edge, and the triangles beside it; DRAIN_NONE: it has fewer. From one edge to the next
+     * are edge_stride numbers. */
+    const uint32_t *edges, *beside_edges;
+    uint32_t edge_count, edge_stride;
+    const uint8_t *anchored;        /* per node; NULL: none is */
+    const vec3 *now, *trial, *rest; /* positions of the nodes, m */
+} suture_wall;
+
+static inline suture_wall suture_wall_of_drain(const drain_object *d)
+{
+    const drain_mesh *mesh = &d->mesh;
+    return (suture_wall){.law = &d->config,
+                         .triangles = mesh->triangles,
+                         .triangle_count = mesh->triangle_count,
+                         .edges = mesh->edges[0].nodes,
+                         .beside_edges = mesh->edges[0].triangles,
+                         .edge_count = mesh->edge_count,
+                         .edge_stride = sizeof(drain_edge) / sizeof(uint32_t),
+                         .anchored = d->anchored,
+                         .now = d->x,
+                         .trial = d->trial,
+                         .rest = mesh->rest};
+}
+
 typedef struct suture_hole {
     uint32_t id; /* 0 for a free entry */
     /* numbers in the scene; the hole is on a needle or a thread, and the other is 0 */
     uint32_t needle;
     uint32_t thread;
-    uint32_t drain;
+    uint32_t wall; /* a drain or host surface */
     uint32_t triangle;
     double barycentric[3]; /* weights of the triangle's corners */
-    bool is_outward;       /* the needle passed through from the inside of the drain */
+    bool is_outward;       /* the needle passed through from the inside of the wall */
     /* arc length of the needle at the hole when it entered, m; below 0 means ahead of the tip */
     double entry_arc;
     /* present arc length at the hole, m; measured from the needle's tip, or the thread's
@@ -97,21 +126,24 @@ typedef struct suture_tip {
 bool vbss_suture_tip_punctures(const vbss_drain_config *config, const suture_tip *tip);
 /* Makes the hole where the line of the tip meets the wall within `reach`, m. Returns false if it
  * misses, or meets the wall too near a free edge or where it is fixed. */
-bool vbss_suture_make_hole(const drain_object *d, const suture_tip *tip, double reach,
+bool vbss_suture_make_hole(const suture_wall *wall, const suture_tip *tip, double reach,
                            double wire_radius, suture_hole *hole);
 /* First point where an axis crosses the wall. Sets only triangle and barycentric coordinates of the
  * hole; *fraction is the position along the axis, 0 to 1. Returns false if there is none. */
-bool vbss_suture_find_wall_crossing(const drain_object *d, const vec3 axis[2], suture_hole *hole,
+bool vbss_suture_find_wall_crossing(const suture_wall *wall, const vec3 axis[2], suture_hole *hole,
                                     double *fraction);
 /* Removes rounding errors from barycentric coordinates: none is negative, and their sum is 1. */
 void vbss_suture_normalise_barycentric(double barycentric[3]);
-/* Whether a motion in this direction passes through the triangle from the inside of the drain. */
-bool vbss_suture_is_outward(const drain_object *d, uint32_t triangle, vec3 direction);
+/* Whether a motion in this direction passes through the triangle from the inside of the wall. */
+bool vbss_suture_is_outward(const suture_wall *wall, uint32_t triangle, vec3 direction);
 
 /* ---- holes (hole.c) */
 
-/* Position of the hole for node positions x of the drain. */
-vec3 vbss_hole_point(const suture_hole *hole, const drain_object *d, const vec3 *x);
+/* Point of a triangle of a wall with given barycentric coordinates, with the nodes at `x`. */
+vec3 vbss_wall_point(const suture_wall *wall, const vec3 *x, uint32_t triangle,
+                     const double barycentric[3]);
+/* Position of the hole for node positions x of its wall. */
+vec3 vbss_hole_point(const suture_hole *hole, const suture_wall *wall, const vec3 *x);
 /* Axial force that a hole bears before the suture slides: `force`, N, plus friction[] times the
  * transverse force. Index 0 is against the tangent, 1 along it. It is evaluated at the start of the
  * substep. */

@@ -79,9 +79,12 @@ static void find_holes(const scene_object *s, const needle_watch *n, wall *w)
             const drain_object *d = w->drain;
             assert_true(w->hole_count < NEEDLE_CASE_HOLES);
             w->reach[w->hole_count] = n->touching + n->give * force_across(s, i);
-            w->holes[w->hole_count][0] = vbss_hole_point(hole, d, d->x);
-            w->holes[w->hole_count][1] = vbss_hole_point(hole, d, d->trial);
-            w->at_rest[w->hole_count++] = vbss_hole_point(hole, d, d->mesh.rest);
+            w->holes[w->hole_count][0] =
+                vbss_drain_point(d, d->x, hole->triangle, hole->barycentric);
+            w->holes[w->hole_count][1] =
+                vbss_drain_point(d, d->trial, hole->triangle, hole->barycentric);
+            w->at_rest[w->hole_count++] =
+                vbss_drain_point(d, d->mesh.rest, hole->triangle, hole->barycentric);
         }
     }
 }

@@ -40,7 +40,8 @@ static inline void begin_with(prick *p, const double weights[3], uint32_t hole_c
     for (uint32_t t = 0; t < p->drain->mesh.triangle_count; t++) {
         const suture_hole middle = {.triangle = t,
                                     .barycentric = {1.0 / 3.0, 1.0 / 3.0, 1.0 / 3.0}};
-        vec3 at = vbss_hole_point(&middle, p->drain, p->drain->mesh.rest);
+        vec3 at =
+            vbss_drain_point(p->drain, p->drain->mesh.rest, middle.triangle, middle.barycentric);
         double far = vec3_distance(at, vec3_make(-2e-3, 0.3e-3, 6.5e-3));
         p->triangle = far < nearest ? t : p->triangle;
         nearest = vbss_min(far, nearest);
@@ -54,8 +55,9 @@ static inline void begin_with(prick *p, const double weights[3], uint32_t hole_c
     p->into = vec3_unit_or(
         vec3_cross(vec3_sub(corner[2], corner[0]), vec3_sub(corner[1], corner[0])), vec3_zero());
     assert_true(p->into.z < -0.9);
-    vec3 tip =
-        vec3_add_scaled(vbss_hole_point(&place, p->drain, p->drain->mesh.rest), START, p->into);
+    vec3 tip = vec3_add_scaled(
+        vbss_drain_point(p->drain, p->drain->mesh.rest, place.triangle, place.barycentric), START,
+        p->into);
     quat turn = quat_between(vec3_make(0.0, 1.0, 0.0), p->into);
     p->first = pose_make(vec3_sub(tip, quat_rotate(turn, vec3_make(RADIUS, 0.0, 0.0))), turn);
     p->r.config.radius = RADIUS;

@@ -30,7 +30,7 @@ static stage open_part(void)
     stage g = {.s = small_object(&c.s)};
     g.hole = &g.s->holes[0];
     g.thread = vbss_scene_body(g.s, g.hole->thread)->thread.thread;
-    g.drain = vbss_scene_body(g.s, g.hole->drain)->drain.drain;
+    g.drain = vbss_scene_body(g.s, g.hole->wall)->drain.drain;
     const scene_substep part = {.step_length = 1e-3, .h = 1e-3, .end_fraction = 1.0};
     assert_true(vbss_scene_create_contacts(g.s, &part));
     vbss_scene_predict(g.s, &part);
@@ -52,7 +52,8 @@ static uint32_t node_at(const thread_object *t, double arc)
 /* The middle of the wall that is nearest to it and no nearer to the hole than it is. */
 static vec3 wall_beside(const stage *g, vec3 node)
 {
-    const vec3 hole = vbss_hole_point(g->hole, g->drain, g->drain->x);
+    const vec3 hole =
+        vbss_drain_point(g->drain, g->drain->x, g->hole->triangle, g->hole->barycentric);
     vec3 best = vec3_zero();
     double smallest = HUGE_VAL;
     for (uint32_t i = 0; i < g->drain->mesh.triangle_count; i++) {

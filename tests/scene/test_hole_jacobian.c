@@ -53,7 +53,7 @@ static void begin(swaged *w)
     w->needle = &vbss_scene_body(w->scene, w->needle_body)->rigid;
     w->thread->is_derived_valid = false; /* segments get other lengths */
     w->hole = &w->scene->holes[0];
-    *w->hole = (suture_hole){.id = 1, .drain = wall, .triangle = 7, .barycentric = {0.2, 0.3, 0.5}};
+    *w->hole = (suture_hole){.id = 1, .wall = wall, .triangle = 7, .barycentric = {0.2, 0.3, 0.5}};
     vbss_scene_number_blocks(w->scene);
 }
 
@@ -98,7 +98,8 @@ static suture_curve_point place_near(const swaged *w, const lie *at, uint32_t sp
 
 static void shift_wall(const swaged *w, vec3 *x, vec3 to)
 {
-    const vec3 off = vec3_sub(to, vbss_hole_point(w->hole, w->drain, x));
+    const vec3 off =
+        vec3_sub(to, vbss_drain_point(w->drain, x, w->hole->triangle, w->hole->barycentric));
     for (int k = 0; k < 3; k++) {
         vec3 *corner = &x[w->drain->mesh.triangles[w->hole->triangle][k]];
         *corner = vec3_add(*corner, off);

@@ -217,6 +217,36 @@ static void suspended_steps_keep_their_surface(void **state)
     assert_memory_equal(one, other, sizeof one);
 }
 
+/* A driven tool at rest and the surface that comes down on it both follow the host, so the guard stops the surface. The host
+ * then has the forces of the last complete step; a thread on the surface makes them. */
+static void truncated_step_keeps_the_forces_of_the_step_before(void **state)
+{
+    (void)state;
+    static vec3 before[SURFACE_MAX_VERTICES];
+    small s;
+    small_begin(&s);
+    begin(&s);
+    (void)small_stick(&s, VBSS_SCENE_RIGID_DRIVEN, vec3_make(15e-3, -2.5e-3, 15e-3), vec3_zero(),
+                      2e-3);
+    bool is_behind = false, was_same = true;
+    for (int i = 1; i <= 80 && !is_behind; i++) {
+        const size_t size = sheet.config.vertex_count * sizeof *before;
+        memcpy(before, surface_view(&s, &sheet, VBSS_SCENE_SURFACE_VIEW_FORCES), size);
+        surface_shift(&s, &sheet, vec3_make(0.0, -0.05e-3 * i, 0.0));
+        small_steps(&s, 1, 1e-3);
+        const vec3 *now = surface_view(&s, &sheet, VBSS_SCENE_SURFACE_VIEW_POSITIONS),
+                   *wanted = surface_view(&s, &sheet, VBSS_SCENE_SURFACE_VIEW_TARGETS),
+                   *forces = surface_view(&s, &sheet, VBSS_SCENE_SURFACE_VIEW_FORCES);
+        is_behind = vec3_distance(now[0], wanted[0]) > 0.0;
+        const bool is_same = memcmp(before, forces, size) == 0;
+        assert_true(is_same || !is_behind);
+        was_same = is_behind ? was_same : is_same;
+    }
+    assert_false(was_same); /* the thread presses, and complete steps have other forces */
+    assert_true(is_behind);
+    small_end(&s);
+}
+
 /* ---- queries */
 
 static void queries_find_the_surface_where_it_is(void **state)
@@ -249,6 +279,7 @@ int test_host_surface_state(void)
         harness_test(saved_surface_goes_on_to_the_same_bits),
         harness_test(surface_of_other_triangles_is_not_restored),
         harness_test(suspended_steps_keep_their_surface),
+        harness_test(truncated_step_keeps_the_forces_of_the_step_before),
         harness_test(queries_find_the_surface_where_it_is),
     };
     return cmocka_run_group_tests_name("scene.host_surface_state", tests, NULL, NULL);

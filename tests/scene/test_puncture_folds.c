@@ -24,7 +24,7 @@ static void place_side(const drain_object *d, const drain_edge *side, int k, fol
         bool on = node[i] == side->nodes[0] || node[i] == side->nodes[1];
         f->sides[k].barycentric[i] = on ? 0.5 * (1.0 - OFF_FOLD) : OFF_FOLD;
     }
-    f->at[k] = vbss_hole_point(&f->sides[k], d, d->x);
+    f->at[k] = vbss_drain_point(d, d->x, f->sides[k].triangle, f->sides[k].barycentric);
 }
 
 /* Two triangles of the tube above its middle that meet at an angle. */
@@ -75,7 +75,7 @@ static suture_hole *begin(double entry, fold *f)
     s->holes[0] = f->sides[0];
     s->holes[0].id = ++s->last_hole_id;
     s->holes[0].needle = c.body;
-    s->holes[0].drain = c.d.body;
+    s->holes[0].wall = c.d.body;
     s->holes[0].arc = s->holes[0].max_arc = TIP_OUT;
     s->holes[0].entry_arc = entry;
     return s->holes;
@@ -94,7 +94,7 @@ static void far_side_of_fold_has_its_own_hole(void **state)
         }
         expect_near(TIP_OUT + vec3_distance(f.at[0], f.at[1]), holes[1].arc, 0.05e-3);
         assert_int_equal(holes[1].needle, c.body);
-        assert_int_equal(holes[1].drain, c.d.body);
+        assert_int_equal(holes[1].wall, c.d.body);
         assert_int_equal(holes[2].id, 0);
     }
     assert_int_not_equal(holes[1].id, 0);

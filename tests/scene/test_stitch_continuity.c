@@ -18,7 +18,7 @@ static double share_at(const suture_hole *hole, double away)
 {
     const scene_object *s = small_object(&c.s);
     const scene_body *thread = vbss_scene_body(s, hole->thread);
-    const scene_body *drain = vbss_scene_body(s, hole->drain);
+    const scene_body *drain = vbss_scene_body(s, hole->wall);
     const thread_object *t = thread->thread.thread;
     const scene_wall_point point = vbss_scene_wall_point(drain, hole->triangle, hole->barycentric);
     double arc = hole->arc + away;

@@ -6,7 +6,7 @@ static suture_hole some_hole(void)
 {
     return (suture_hole){.id = 7,
                          .needle = 2,
-                         .drain = 1,
+                         .wall = 1,
                          .triangle = 20,
                          .barycentric = {0.25, 0.5, 0.25},
                          .is_outward = true,
@@ -281,7 +281,7 @@ static void snapshot_round_trip(void **state)
         assert_int_equal(hole.id, back.id);
         assert_int_equal(hole.needle, back.needle);
         assert_int_equal(hole.thread, back.thread);
-        assert_int_equal(hole.drain, back.drain);
+        assert_int_equal(hole.wall, back.wall);
         assert_int_equal(hole.triangle, back.triangle);
         assert_int_equal(hole.is_outward, back.is_outward);
         assert_memory_equal(hole.barycentric, back.barycentric, sizeof hole.barycentric);

@@ -1,5 +1,7 @@
 /* When a tip enters a wall, and where: thresholds; triangles, their sides and nodes; edges; what is anchored. */
 #include "fixture.h"
+/* The wall of a drain. */
+#define WALL(drain) ((const suture_wall[]){suture_wall_of_drain(drain)})
 
 /* ---- when */
 
@@ -41,7 +43,10 @@ static void expect_hole_at(const fixture *f, const suture_hole *hole, vec3 point
 {
     double sum = hole->barycentric[0] + hole->barycentric[1] + hole->barycentric[2];
     expect_near(1.0, sum, 1e-15);
-    expect_near(0.0, vec3_distance(vbss_hole_point(hole, f->d, f->d->x), point), 1e-12);
+    expect_near(
+        0.0,
+        vec3_distance(vbss_drain_point(f->d, f->d->x, hole->triangle, hole->barycentric), point),
+        1e-12);
     expect_near(-TOUCHING, hole->entry_arc, 1e-12);
     expect_near(hole->entry_arc, hole->arc, 0.0);
     expect_near(hole->entry_arc, hole->max_arc, 0.0);
@@ -60,7 +65,7 @@ static void hole_in_triangle_is_at_tip_ray(void **state)
         vec3 point = place_in(&f, t, 0.35, 0.4);
         suture_tip tip = tip_before(&f, t, point, 1.2);
         suture_hole hole;
-        bool made = vbss_suture_make_hole(f.d, &tip, REACH, WIRE, &hole);
+        bool made = vbss_suture_make_hole(WALL(f.d), &tip, REACH, WIRE, &hole);
         if (to_free_side(&f, point) < WIRE || is_anchored(&f, t)) {
             assert_false(made);
             continue;
@@ -74,10 +79,10 @@ static void hole_in_triangle_is_at_tip_ray(void **state)
         tip.position = vec3_add_scaled(point, TOUCHING, tip.direction);
         tip.direction = vec3_neg(tip.direction);
         tip.force = vec3_neg(tip.force);
-        assert_true(vbss_suture_make_hole(f.d, &tip, REACH, WIRE, &hole));
+        assert_true(vbss_suture_make_hole(WALL(f.d), &tip, REACH, WIRE, &hole));
         expect_hole_at(&f, &hole, point, true);
         /* Not beyond the reach. */
-        assert_false(vbss_suture_make_hole(f.d, &tip, 0.99 * TOUCHING, WIRE, &hole));
+        assert_false(vbss_suture_make_hole(WALL(f.d), &tip, 0.99 * TOUCHING, WIRE, &hole));
     }
     end(&f);
 }
@@ -100,7 +105,7 @@ static void shared_edge_has_exactly_one_hole(void **state)
             suture_hole hole;
             suture_tip tip = tip_before(&f, side->triangles[k % 2], point, 1.0);
             if (to_free_side(&f, point) > WIRE) {
-                assert_true(vbss_suture_make_hole(f.d, &tip, REACH, WIRE, &hole));
+                assert_true(vbss_suture_make_hole(WALL(f.d), &tip, REACH, WIRE, &hole));
                 expect_hole_at(&f, &hole, point, false);
                 tried++;
             }
@@ -124,7 +129,7 @@ static void shared_node_has_exactly_one_hole(void **state)
             if (f.d->anchored[f.d->mesh.triangles[t][k]] || to_free_side(&f, point) < WIRE) {
                 continue;
             }
-            assert_true(vbss_suture_make_hole(f.d, &tip, REACH, WIRE, &hole));
+            assert_true(vbss_suture_make_hole(WALL(f.d), &tip, REACH, WIRE, &hole));
             expect_hole_at(&f, &hole, point, false);
             tried++;
         }
@@ -145,7 +150,7 @@ static void no_hole_is_within_a_wire_of_an_edge(harness_source *source, void *us
     suture_hole hole;
     double far = to_free_side(f, point), wire = 2.0 * WIRE; /* more of them are near */
     if (!is_anchored(f, t) && fabs(far - wire) > 1e-9) {
-        assert_int_equal(vbss_suture_make_hole(f->d, &tip, REACH, wire, &hole), far > wire);
+        assert_int_equal(vbss_suture_make_hole(WALL(f->d), &tip, REACH, wire, &hole), far > wire);
     }
 }
 
@@ -168,7 +173,7 @@ static void anchored_wall_is_not_pierced(void **state)
         suture_hole hole;
         suture_tip tip = tip_before(&f, t, place_in(&f, t, 0.3, 0.3), 5.0);
         if (is_anchored(&f, t)) {
-            assert_false(vbss_suture_make_hole(f.d, &tip, REACH, WIRE, &hole));
+            assert_false(vbss_suture_make_hole(WALL(f.d), &tip, REACH, WIRE, &hole));
             tried++;
         }
     }
@@ -197,12 +202,12 @@ static void forces_go_on_evenly(harness_source *source, void *user)
     vec3 aside = harness_draw_vec3(source, -0.5, 0.5);
     aside = vec3_add_scaled(aside, -vec3_dot(aside, tip.direction), tip.direction);
     tip.force = vec3_add_scaled(aside, -largest, tip.direction);
-    if (!vbss_suture_make_hole(f->d, &tip, REACH, WIRE, &hole)) {
+    if (!vbss_suture_make_hole(WALL(f->d), &tip, REACH, WIRE, &hole)) {
         return;
     }
     pose at = needle_with_tip(f, &tip);
     const suture_curve line = {.needle = f->n, .needle_pose = at};
-    const vec3 point = vbss_hole_point(&hole, f->d, f->d->x);
+    const vec3 point = vbss_drain_point(f->d, f->d->x, hole.triangle, hole.barycentric);
     const suture_curve_point now = vbss_suture_nearest_point(&line, hole.arc, point);
     const hole_yield_limit bound = vbss_hole_yield_limit(&hole, &f->d->config, &line, &now);
     contact_constraint row = {.is_bilateral = true, .is_sleeve = true};

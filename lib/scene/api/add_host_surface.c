@@ -11,7 +11,7 @@
 #include "scene/world/world.h"
 
 _Static_assert(sizeof(vbss_scene_surface_config) ==
-                   VBSS_SIZE_WITH_POINTERS(vbss_scene_surface_config, 48u, 2u),
+                   VBSS_SIZE_WITH_POINTERS(vbss_scene_surface_config, 104u, 2u),
                "published size");
 
 static const vbss_scene_surface_config surface_defaults = {
@@ -19,9 +19,16 @@ static const vbss_scene_surface_config surface_defaults = {
     .friction = 0.15,
     .thickness = 0.5e-3,
     .jump_limit = 20e-3,
+    .hole_force = 0.25,
+    .hole_friction = 0.3,
+    .hole_stiffness = 2e4,
+    .hole_damping = 0.05,
+    .tip_length = 0.5e-3,
+    .thread_force = 0.02,
 };
 static const uint32_t surface_sizes[] = {
-    VBSS_SIZE_WITH_POINTERS(vbss_scene_surface_config, 48u, 2u), 0};
+    VBSS_SIZE_WITH_POINTERS(vbss_scene_surface_config, 48u, 2u),
+    VBSS_SIZE_WITH_POINTERS(vbss_scene_surface_config, 104u, 2u), 0};
 static const vbss_layout surface_layout = {"vbss_scene_surface_config", &surface_defaults,
                                            surface_sizes};
 
@@ -51,11 +58,25 @@ static scene_outline outline_of(const vbss_scene_surface_config *c)
                            .is_prescribed = true};
 }
 
+static vbss_result check_holes(vbss_context *context, const vbss_scene_surface_config *c)
+{
+    if (c->puncture_force != 0.0) {
+        VBSS_TRY(vbss_check_range(context, c->puncture_force, 1e-3, 1e3, "puncture_force"));
+    }
+    VBSS_TRY(vbss_check_range(context, c->hole_force, 1e-6, 1e3, "hole_force"));
+    VBSS_TRY(vbss_check_range(context, c->hole_friction, 0.0, 10.0, "hole_friction"));
+    VBSS_TRY(vbss_check_range(context, c->hole_stiffness, 1.0, 1e7, "hole_stiffness"));
+    VBSS_TRY(vbss_check_range(context, c->hole_damping, 0.0, 1e3, "hole_damping"));
+    VBSS_TRY(vbss_check_range(context, c->tip_length, 0.0, 0.1, "tip_length"));
+    return vbss_check_range(context, c->thread_force, 1e-6, 1e3, "thread_force");
+}
+
 vbss_result vbss_scene_check_host_surface(vbss_context *context, const vbss_scene_surface_config *c)
 {
     const vbss_scene_static_mesh_config mesh = mesh_of(c);
     VBSS_TRY(vbss_scene_check_static_mesh(context, &mesh));
     VBSS_TRY(vbss_check_range(context, c->jump_limit, 1e-6, 1e3, "jump_limit"));
+    VBSS_TRY(check_holes(context, c));
     if (c->one_sided != 0) {
         return vbss_fail(context, VBSS_ERROR_OUT_OF_RANGE,
                          "one_sided is %u: a host surface has two sides", c->one_sided);
@@ -72,8 +93,19 @@ vbss_result vbss_scene_check_host_surface(vbss_context *context, const vbss_scen
                : vbss_fail(context, VBSS_ERROR_OUT_OF_RANGE, "triangle %u has no area", thin);
 }
 
-/* Another hash than that of a static mesh: positions are state. */
-static uint64_t hash_topology(const collision_shape *shape, bool is_one_sided)
+static bool has_default_holes(const vbss_drain_config *law)
+{
+    const vbss_scene_surface_config *d = &surface_defaults;
+    return law->puncture_force == d->puncture_force && law->hole_force == d->hole_force &&
+           law->hole_friction == d->hole_friction && law->hole_stiffness == d->hole_stiffness &&
+           law->hole_damping == d->hole_damping && law->tip_length == d->tip_length &&
+           law->thread_force == d->thread_force;
+}
+
+/* Another hash than that of a static mesh: positions are state. The parameters of holes count if they are not
+ * the defaults, which older snapshots have. */
+static uint64_t hash_topology(const collision_shape *shape, bool is_one_sided,
+                              const vbss_drain_config *law)
 {
     vbss_stream stream;
     uint64_t topology = shape->topology_hash;
@@ -81,6 +113,10 @@ static uint64_t hash_topology(const collision_shape *shape, bool is_one_sided)
     vbss_stream_begin_hash(&stream);
     vbss_stream_u64(&stream, 1, &topology, 1);
     vbss_stream_u32(&stream, 2, &one_sided, 1);
+    if (!has_default_holes(law)) {
+        vbss_drain_config holes = *law;
+        vbss_scene_visit_hole_parameters(&stream, 3, &holes);
+    }
     return vbss_hash_end(&stream.hash);
 }
 
@@ -101,9 +137,11 @@ vbss_result vbss_scene_place_host_surface(scene_object *s, const vbss_scene_surf
     }
     collision_shape *shape = s->collision->shapes[b->shape];
     shape->is_static = false;
+    motion.surface->shape = shape;
     b->rigid.is_static_mesh = false;
     b->rigid.surface = motion.surface;
-    b->rigid.mesh.geometry_hash = hash_topology(shape, b->rigid.mesh.is_one_sided);
+    b->rigid.mesh.geometry_hash =
+        hash_topology(shape, b->rigid.mesh.is_one_sided, &motion.surface->law);
     return VBSS_OK;
 }
 

@@ -55,17 +55,16 @@ static double suture_radius(const scene_body *suture)
 static vbss_result init_hole(const scene_object *s, suture_hole *hole, const scene_body *suture)
 {
     const scene_hole_context p = vbss_scene_get_hole_context(s, hole);
-    const drain_object *d = p.drain->drain;
-    const vec3 point = vbss_hole_point(hole, d, d->x);
+    const vec3 point = vbss_hole_point(hole, &p.wall, p.wall.now);
     const suture_curve_point curve_point = vbss_suture_nearest_point(&p.now, p.arc, point);
     double offset = vec3_distance(curve_point.position, point);
-    double max_offset = suture_radius(suture) + 0.5 * d->config.thickness;
+    double max_offset = suture_radius(suture) + 0.5 * p.wall.law->thickness;
     if (!(offset <= max_offset)) {
         return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE,
                          "the hole is %s m from what shall be in it: at most %s",
                          VBSS_NUMBER(offset), VBSS_NUMBER(max_offset));
     }
-    hole->is_outward = vbss_suture_is_outward(d, hole->triangle, curve_point.tangent);
+    hole->is_outward = vbss_suture_is_outward(&p.wall, hole->triangle, curve_point.tangent);
     vbss_scene_move_hole_to(hole, &p, curve_point.arc);
     return VBSS_OK;
 }
@@ -76,19 +75,18 @@ static vbss_result check_place(const scene_object *s, const suture_hole *made,
                                const scene_body *suture)
 {
     const scene_hole_context p = vbss_scene_get_hole_context(s, made);
-    const drain_object *d = p.drain->drain;
     const double diameter = 2.0 * suture_radius(suture);
     for (uint32_t i = 0; i < s->config.hole_capacity; i++) {
         const suture_hole *other = &s->holes[i];
-        if (other->id == 0 || other->drain != made->drain) {
+        if (other->id == 0 || other->wall != made->wall) {
             continue;
         }
         const scene_hole_context q = vbss_scene_get_hole_context(s, other);
         bool is_same_suture = (p.thread != NULL && p.thread == q.thread) ||
                               (p.needle != NULL && p.needle == q.needle);
         if (is_same_suture && fabs(q.arc - p.arc) < diameter &&
-            vec3_distance(vbss_hole_point(other, d, d->x), vbss_hole_point(made, d, d->x)) <
-                diameter) {
+            vec3_distance(vbss_hole_point(other, &p.wall, p.wall.now),
+                          vbss_hole_point(made, &p.wall, p.wall.now)) < diameter) {
             return vbss_fail(s->context, VBSS_ERROR_IN_USE,
                              "hole %u of this suture is at the same place", other->id);
         }
@@ -100,15 +98,20 @@ static vbss_result check_place(const scene_object *s, const suture_hole *made,
 static vbss_result prepare_hole(scene_object *s, suture_hole *made, double arc_length,
                                 uint32_t body, const double *weights)
 {
-    scene_body *suture, *d;
+    scene_body *suture, *b;
     if (!s->method->accepts_holes) {
         return vbss_fail(s->context, VBSS_ERROR_INCOMPATIBLE,
                          "holes are made by hosts in scenes of method IMPLICIT");
     }
     VBSS_TRY(check_suture(s, body, arc_length, &suture));
-    VBSS_TRY(vbss_scene_require_body(s, made->drain, SCENE_BODY_DRAIN, &d));
-    VBSS_TRY(vbss_check_range(s->context, made->triangle, 0.0,
-                              d->drain.drain->mesh.triangle_count - 1.0, "triangle"));
+    VBSS_TRY(vbss_scene_require_any_body(s, made->wall, &b));
+    if (!scene_is_wall(b)) {
+        return vbss_fail(s->context, VBSS_ERROR_INCOMPATIBLE, "body %u is no drain or host surface",
+                         made->wall);
+    }
+    const suture_wall wall = vbss_scene_wall_of(b);
+    VBSS_TRY(
+        vbss_check_range(s->context, made->triangle, 0.0, wall.triangle_count - 1.0, "triangle"));
     VBSS_TRY(check_weights(s->context, weights));
     if (vbss_scene_find_free_hole(s) == NULL) {
         return vbss_fail(s->context, VBSS_ERROR_CAPACITY, "more than %u holes",
@@ -121,7 +124,7 @@ static vbss_result prepare_hole(scene_object *s, suture_hole *made, double arc_l
     memcpy(made->barycentric, weights, sizeof made->barycentric);
     VBSS_TRY(init_hole(s, made, suture));
     VBSS_TRY(check_place(s, made, suture));
-    made->max_arc = vbss_max(made->max_arc, d->drain.drain->config.tip_length); /* it is open */
+    made->max_arc = vbss_max(made->max_arc, wall.law->tip_length); /* it is open */
     return VBSS_OK;
 }
 
@@ -142,7 +145,7 @@ vbss_result vbss_scene_make_hole(vbss_scene *scene, uint32_t body, double arc_le
     VBSS_ENTER(scene);
     scene_object *s;
     scene_edit edit;
-    const suture_hole place = {.drain = drain, .triangle = triangle};
+    const suture_hole place = {.wall = drain, .triangle = triangle};
     suture_hole made = place;
     VBSS_TRY(vbss_scene_open_mutable(scene, &s));
     VBSS_TRY(prepare_hole(s, &made, arc_length, body, weights));
@@ -173,12 +176,11 @@ vbss_result vbss_scene_get_hole(vbss_scene *scene, uint32_t index, vbss_scene_ho
             continue;
         }
         const scene_hole_context p = vbss_scene_get_hole_context(s, h);
-        const drain_object *d = p.drain->drain;
         const suture_curve_point curve_point = vbss_scene_hole_curve_point(&p, h);
         vbss_scene_hole own = {.struct_size = sizeof own,
                                .id = h->id,
                                .needle = h->needle,
-                               .drain = h->drain,
+                               .drain = h->wall,
                                .triangle = h->triangle,
                                .outward = h->is_outward,
                                .arc_length = h->arc,
@@ -187,8 +189,8 @@ vbss_result vbss_scene_get_hole(vbss_scene *scene, uint32_t index, vbss_scene_ho
         for (int k = 0; k < 3; k++) {
             own.weights[k] = h->barycentric[k];
         }
-        vec3_store(own.position, vbss_hole_point(h, d, d->x));
-        vec3_store(own.rest_position, vbss_hole_point(h, d, d->mesh.rest));
+        vec3_store(own.position, vbss_hole_point(h, &p.wall, p.wall.now));
+        vec3_store(own.rest_position, vbss_hole_point(h, &p.wall, p.wall.rest));
         vec3_store(own.direction, curve_point.tangent);
         vec3_store(own.force,
                    vec3_add_scaled(h->transverse_force, h->friction_force, curve_point.tangent));

@@ -165,19 +165,19 @@ scene_hole_info vbss_scene_inspect_hole(const vbss_scene *scene, uint32_t entry)
 {
     const scene_object *s = object_of(scene);
     const suture_hole *h = &s->holes[entry];
-    const scene_body *drain = h->id != 0 ? vbss_scene_body(s, h->drain) : NULL;
-    if (drain == NULL) {
+    const scene_body *body = h->id != 0 ? vbss_scene_body(s, h->wall) : NULL;
+    if (body == NULL) {
         return (scene_hole_info){.id = 0};
     }
-    const drain_object *d = drain->drain.drain;
+    const suture_wall wall = vbss_scene_wall_of(body);
     return (scene_hole_info){.id = h->id,
                              .needle = h->needle,
                              .thread = h->thread,
-                             .drain = h->drain,
+                             .drain = h->wall,
                              .arc_length = h->arc,
                              .radius = radius_in_hole(s, h),
-                             .position = vbss_hole_point(h, d, d->x),
-                             .rest_position = vbss_hole_point(h, d, d->mesh.rest)};
+                             .position = vbss_hole_point(h, &wall, wall.now),
+                             .rest_position = vbss_hole_point(h, &wall, wall.rest)};
 }
 
 scene_grasp_info vbss_scene_inspect_grasp(const vbss_scene *scene, uint32_t entry)

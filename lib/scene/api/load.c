@@ -400,6 +400,17 @@ static vbss_result load_static_mesh(scene_loader *l, const scene_body_descriptio
     return result;
 }
 
+static void set_hole_parameters(vbss_scene_surface_config *config, const vbss_drain_config *law)
+{
+    config->puncture_force = law->puncture_force;
+    config->hole_force = law->hole_force;
+    config->hole_friction = law->hole_friction;
+    config->hole_stiffness = law->hole_stiffness;
+    config->hole_damping = law->hole_damping;
+    config->tip_length = law->tip_length;
+    config->thread_force = law->thread_force;
+}
+
 static vbss_result load_host_surface(scene_loader *l, const scene_body_description *d)
 {
     const scene_static_mesh_description *m = &d->host_surface.mesh;
@@ -418,6 +429,9 @@ static vbss_result load_host_surface(scene_loader *l, const scene_body_descripti
     config.thickness = m->thickness;
     config.jump_limit = d->host_surface.jump_limit;
     config.compliance_size = d->host_surface.compliance_size;
+    if (d->type == SCENE_DESCRIBED_WALL) {
+        set_hole_parameters(&config, &d->host_surface.law);
+    }
     vbss_result result = check_created(l, vbss_scene_check_host_surface(l->s->context, &config));
     if (result == VBSS_OK) {
         result = vbss_scene_place_host_surface(l->s, &config, b, &number);
@@ -490,6 +504,7 @@ static vbss_result load_body(scene_loader *l)
     case SCENE_DESCRIBED_PLANE:
         return load_plane(l, &d);
     case SCENE_DESCRIBED_HOST_SURFACE:
+    case SCENE_DESCRIBED_WALL:
         return load_host_surface(l, &d);
     default: /* SCENE_DESCRIBED_RIGID */
         return load_rigid(l, &d);

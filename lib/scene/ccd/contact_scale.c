@@ -5,10 +5,10 @@
 #include "scene/tools/tools.h"
 #include "scene/topology/topology.h"
 
-/* Closest point of the drain at the start of the query, and the fraction of the closest point on
+/* Closest point of the wall at the start of the query, and the fraction of the closest point on
  * the other feature. */
 static scene_wall_point find_nearest_wall_point(const scene_object *s, const ccd_query *query,
-                                                bool first, const scene_body *drain,
+                                                bool first, const scene_body *wall,
                                                 double *fraction)
 {
     const collision_candidate *q = query->candidate;
@@ -19,7 +19,7 @@ static scene_wall_point find_nearest_wall_point(const scene_object *s, const ccd
     if (q->kind == VBSS_COLLISION_PAIR_POINT_TRIANGLE) {
         *fraction = 0.0;
         wall_point =
-            vbss_scene_wall_point_at_time(drain, feature, coordinates, query->start_fraction);
+            vbss_scene_wall_point_at_time(wall, feature, coordinates, query->start_fraction);
     } else {
         double on_other = coordinates[first ? 0 : 1], on_side = coordinates[first ? 1 : 0];
         if (query->interval != NULL) {
@@ -28,9 +28,9 @@ static scene_wall_point find_nearest_wall_point(const scene_object *s, const ccd
             on_side = intervals[1][0] + on_side * (intervals[1][1] - intervals[1][0]);
         }
         *fraction = on_other;
-        const uint32_t *side = s->collision->shapes[drain->shape]->edges[feature];
+        const uint32_t *side = s->collision->shapes[wall->shape]->edges[feature];
         wall_point =
-            vbss_scene_wall_point_on_edge_at_time(drain, side, on_side, query->start_fraction);
+            vbss_scene_wall_point_on_edge_at_time(wall, side, on_side, query->start_fraction);
     }
     return wall_point;
 }
@@ -41,17 +41,17 @@ double vbss_scene_contact_scale_at_wall(const scene_object *s, const ccd_query *
     const collision_candidate *q = query->candidate;
     const scene_body *a = &s->bodies[s->body_of_shape[q->shape_a]];
     const scene_body *b = &s->bodies[s->body_of_shape[q->shape_b]];
-    bool first = a->kind != SCENE_BODY_DRAIN, point = q->kind == VBSS_COLLISION_PAIR_POINT_TRIANGLE;
-    const scene_body *other = first ? a : b, *drain = first ? b : a;
+    bool first = !scene_is_wall(a), point = q->kind == VBSS_COLLISION_PAIR_POINT_TRIANGLE;
+    const scene_body *other = first ? a : b, *wall = first ? b : a;
     bool holds_wall =
-        other->kind == SCENE_BODY_RIGID && other->rigid.wall_grasp.drain == drain->number;
-    if (other->kind == SCENE_BODY_DRAIN || drain->kind != SCENE_BODY_DRAIN ||
+        other->kind == SCENE_BODY_RIGID && other->rigid.wall_grasp.drain == wall->number;
+    if (scene_is_wall(other) || !scene_is_wall(wall) ||
         !(holds_wall || vbss_scene_is_suture(other))) {
         return 1.0;
     }
     double fraction;
-    const scene_wall_point wall_point = find_nearest_wall_point(s, query, first, drain, &fraction);
-    return vbss_scene_contact_scale_at(s, other, point, first ? q->a : q->b, fraction, drain,
+    const scene_wall_point wall_point = find_nearest_wall_point(s, query, first, wall, &fraction);
+    return vbss_scene_contact_scale_at(s, other, point, first ? q->a : q->b, fraction, wall,
                                        &wall_point,
                                        SCENE_EXCLUSION_ARC_RATIO * contact_distance + extra_reach);
 }
@@ -61,10 +61,10 @@ double vbss_scene_contact_scale_of_pair(const scene_object *s, const collision_c
 {
     const scene_body *a = &s->bodies[s->body_of_shape[q->shape_a]];
     const scene_body *b = &s->bodies[s->body_of_shape[q->shape_b]];
-    if (scene_is_mesh(a) || scene_is_mesh(b)) {
+    if (scene_is_static_mesh(a) || scene_is_static_mesh(b)) {
         return vbss_scene_is_behind_mesh(s, q) ? 0.0 : 1.0;
     }
-    if (a->kind == SCENE_BODY_DRAIN || b->kind == SCENE_BODY_DRAIN) {
+    if (scene_is_wall(a) || scene_is_wall(b)) {
         const ccd_query query = {q, NULL, 0.0};
         return vbss_scene_contact_scale_at_wall(s, &query, contact_distance,
                                                 a->max_displacement + b->max_displacement);

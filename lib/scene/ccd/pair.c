@@ -59,9 +59,9 @@ static void set_swept_vertices(const scene_object *s, const ccd_query *query, sw
             query->start_fraction > 0.0 ? vec3_lerp(start, end, query->start_fraction) : start;
         c->end[k] = end;
     }
-    bool is_a_rigid = s->bodies[s->body_of_shape[q->shape_a]].kind == SCENE_BODY_RIGID;
+    bool is_a_needle = scene_is_needle(&s->bodies[s->body_of_shape[q->shape_a]]);
     for (uint32_t k = 0; interval != NULL && k < 2; k++) {
-        uint32_t first_vertex = (k == 0) == is_a_rigid ? 0 : 2;
+        uint32_t first_vertex = (k == 0) == is_a_needle ? 0 : 2;
         scene_clip_axis(c->start + first_vertex, interval->bounds[k]);
         scene_clip_axis(c->end + first_vertex, interval->bounds[k]);
     }

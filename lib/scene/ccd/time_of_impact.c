@@ -121,17 +121,17 @@ static double time_of_impact_beside_holes(scene_object *s, const collision_candi
 {
     const scene_body *a = &s->bodies[s->body_of_shape[q->shape_a]];
     const scene_body *b = &s->bodies[s->body_of_shape[q->shape_b]];
-    bool first = a->kind == SCENE_BODY_RIGID;
-    const scene_body *needle = first ? a : b, *drain = first ? b : a;
-    if (q->kind != VBSS_COLLISION_PAIR_EDGE_EDGE || drain->kind != SCENE_BODY_DRAIN ||
-        needle->kind != SCENE_BODY_RIGID || needle->rigid.needle == NULL) {
+    bool first = scene_is_needle(a);
+    const scene_body *needle = first ? a : b, *wall = first ? b : a;
+    if (q->kind != VBSS_COLLISION_PAIR_EDGE_EDGE || !scene_is_wall(wall) ||
+        !scene_is_needle(needle)) {
         return 1.0;
     }
     const double contact_distance = scene_ccd_contact_distance(s, q);
     const double reach = SCENE_EXCLUSION_ARC_RATIO * contact_distance;
     scene_axis_interval interval = {.started = false};
     double earliest = 1.0;
-    while (vbss_scene_next_axis_interval(s, needle, first ? q->a : q->b, drain, first ? q->b : q->a,
+    while (vbss_scene_next_axis_interval(s, needle, first ? q->a : q->b, wall, first ? q->b : q->a,
                                          reach, &interval)) {
         const ccd_query query = {q, &interval, 0.0};
         if (time_of_approach(s, &query, scene_ccd_min_contact_distance(s, q)) < 1.0) {
@@ -147,17 +147,15 @@ static bool is_of_suture_and_wall(const scene_object *s, const collision_candida
 {
     const scene_body *a = &s->bodies[s->body_of_shape[q->shape_a]];
     const scene_body *b = &s->bodies[s->body_of_shape[q->shape_b]];
-    return (a->kind == SCENE_BODY_DRAIN && vbss_scene_is_suture(b)) ||
-           (b->kind == SCENE_BODY_DRAIN && vbss_scene_is_suture(a));
+    return (scene_is_wall(a) && vbss_scene_is_suture(b)) ||
+           (scene_is_wall(b) && vbss_scene_is_suture(a));
 }
 
 static bool is_of_needle_and_wall(const scene_object *s, const collision_candidate *q)
 {
     const scene_body *a = &s->bodies[s->body_of_shape[q->shape_a]];
     const scene_body *b = &s->bodies[s->body_of_shape[q->shape_b]];
-    return (a->kind == SCENE_BODY_DRAIN && b->kind == SCENE_BODY_RIGID &&
-            b->rigid.needle != NULL) ||
-           (b->kind == SCENE_BODY_DRAIN && a->kind == SCENE_BODY_RIGID && a->rigid.needle != NULL);
+    return (scene_is_wall(a) && scene_is_needle(b)) || (scene_is_wall(b) && scene_is_needle(a));
 }
 
 /* Whether a pair that starts near stays beyond half the contact distance, as most that hit do.

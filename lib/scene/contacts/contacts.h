@@ -87,19 +87,19 @@ bool vbss_scene_is_excluded_at_pin(const scene_object *s, const scene_body *thre
  * point is at `fraction` (0..1) of segment or capsule `feature`. `reach`: radius around a hole
  * within which a needle does not touch the wall, m. */
 double vbss_scene_contact_scale_at(const scene_object *s, const scene_body *body, bool is_point,
-                                   uint32_t feature, double fraction, const scene_body *drain,
+                                   uint32_t feature, double fraction, const scene_body *wall_body,
                                    const scene_wall_point *wall_point, double reach);
 
 /* Contact scale of a contact constraint, 0..1, at its closest points. 1 unless feature b belongs to
- * a drain and feature a does not. */
+ * a drain or host surface and feature a does not. */
 double vbss_scene_contact_scale_of(const scene_object *s, const contact_constraint *constraint);
 
-/* Finds the next interval of a needle capsule's axis outside all holes of a drain, and the
- * part of the drain's edge beside it. `reach`: radius around a hole within which the needle
+/* Finds the next interval of a needle capsule's axis outside all holes of a wall, and the
+ * part of the wall's edge beside it. `reach`: radius around a hole within which the needle
  * does not touch the wall, m. Start with `interval->started` false. Returns false if there is
  * no further interval. */
 bool vbss_scene_next_axis_interval(const scene_object *s, const scene_body *needle,
-                                   uint32_t capsule, const scene_body *drain, uint32_t edge,
+                                   uint32_t capsule, const scene_body *wall_body, uint32_t edge,
                                    double reach, scene_axis_interval *interval);
 
 /* ---- mesh_contacts.c */

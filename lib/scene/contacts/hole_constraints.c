@@ -11,8 +11,7 @@ bool vbss_scene_add_hole_constraints(scene_object *s)
             continue;
         }
         const contact_key key = {VBSS_SCENE_CONTACT_HOLE,
-                                 hole->needle != 0 ? hole->needle : hole->thread, i, hole->drain,
-                                 0};
+                                 hole->needle != 0 ? hole->needle : hole->thread, i, hole->wall, 0};
         contact_constraint *constraint = vbss_scene_add_bilateral_constraint(s, &key);
         if (constraint == NULL) {
             return false;
@@ -93,6 +92,25 @@ static void add_thread_jacobian(const scene_object *s, contact_constraint *const
     }
 }
 
+/* The wall of a host surface without compliance follows the host: its blocks are prescribed. */
+static void add_wall_jacobian(contact_constraint *constraint, const scene_hole_context *p,
+                              const suture_hole *hole, vec3 point)
+{
+    const scene_body *b = p->wall_body;
+    const scene_host_surface *h = scene_host_surface_of(b);
+    const uint32_t *nodes = p->wall.triangles[hole->triangle];
+    if (h != NULL && !scene_is_compliant(h)) {
+        vbss_scene_add_rigid_jacobian(constraint, &b->rigid, point, -1.0);
+        return;
+    }
+    for (uint32_t k = 0; k < 3; k++) {
+        const uint32_t block_index =
+            h != NULL ? scene_first_vertex_block(&b->rigid) + h->touched_index[nodes[k]]
+                      : b->drain.first_block + b->drain.drain->order.block_index[nodes[k]];
+        vbss_scene_add_jacobian_block(constraint, block_index, -hole->barycentric[k]);
+    }
+}
+
 /* The span from which the hole may slide to either side in this substep. It is chosen once, as the
  * sparsity pattern is fixed. */
 static uint32_t choose_span(const scene_hole_context *p, double arc, double step_length)
@@ -106,16 +124,15 @@ void vbss_scene_update_hole_constraint(scene_object *s, contact_constraint *cons
 {
     const suture_hole *hole = &s->holes[constraint->key.feature_a];
     const scene_hole_context p = vbss_scene_get_hole_context(s, hole);
-    const drain_object *d = p.drain->drain;
     scene_contact_geometry *geometry = scene_geometry_of(s, constraint);
-    const vec3 point = vbss_hole_point(hole, d, d->trial);
+    const vec3 point = vbss_hole_point(hole, &p.wall, p.wall.trial);
     if (constraint->jacobian_block_count == 0) {
         const suture_curve_point before = vbss_scene_hole_curve_point(&p, hole);
         geometry->start_arc_length = before.arc;
         geometry->span = choose_span(&p, vbss_suture_nearest_point(&p.trial, p.arc, point).arc,
                                      s->cursor.substep.step_length);
         constraint->solution.status = CONTACT_STICK;
-        const hole_yield_limit bound = vbss_hole_yield_limit(hole, &d->config, &p.now, &before);
+        const hole_yield_limit bound = vbss_hole_yield_limit(hole, p.wall.law, &p.now, &before);
         constraint->yield_force = bound.force;
         constraint->yield_friction[0] = bound.friction[0];
         constraint->yield_friction[1] = bound.friction[1];
@@ -127,7 +144,7 @@ void vbss_scene_update_hole_constraint(scene_object *s, contact_constraint *cons
         span == SUTURE_ON_NEEDLE ? vbss_suture_nearest_point(&line, p.arc, point)
                                  : vbss_suture_nearest_point_around_span(&line, span, p.arc, point);
     geometry->point = point;
-    vbss_hole_set_constraint(hole, &d->config, geometry->start_arc_length, &now, point,
+    vbss_hole_set_constraint(hole, p.wall.law, geometry->start_arc_length, &now, point,
                              s->step.substep_length, constraint);
     constraint->jacobian_block_count = 0;
     if (p.needle != NULL && (span == SUTURE_ON_NEEDLE || span <= 2)) {
@@ -136,10 +153,5 @@ void vbss_scene_update_hole_constraint(scene_object *s, contact_constraint *cons
     if (span != SUTURE_ON_NEEDLE) {
         add_thread_jacobian(s, constraint, &p, &now, span);
     }
-    for (uint32_t k = 0; k < 3; k++) {
-        uint32_t node = d->mesh.triangles[hole->triangle][k];
-        constraint->jacobian[constraint->jacobian_block_count++] =
-            (contact_jacobian_block){.block = p.drain->first_block + d->order.block_index[node],
-                                     .weight = -hole->barycentric[k]};
-    }
+    add_wall_jacobian(constraint, &p, hole, point);
 }

@@ -51,18 +51,18 @@ static double arc_from_hole(const scene_object *s, const suture_hole *hole,
 /* Near its swage a thread has the exclusion radius of its needle: the contact scale does not jump
  * as the swage passes. */
 static double reach_at_swage(const scene_object *s, const scene_body *suture, uint32_t segment,
-                             const scene_body *drain, double reach)
+                             const scene_body *wall_body, double reach)
 {
     if (suture->kind != SCENE_BODY_THREAD) {
         return reach;
     }
     const scene_body *needle = vbss_scene_swaged_needle(s, suture);
-    const vbss_drain_config *wall = &drain->drain.drain->config;
     if (needle == NULL) {
         return reach;
     }
     double wire = needle->rigid.needle->config.wire_radius;
-    double contact_distance = SCENE_EXCLUSION_ARC_RATIO * (wire + 0.5 * wall->thickness);
+    double contact_distance =
+        SCENE_EXCLUSION_ARC_RATIO * (wire + 0.5 * vbss_scene_wall_of(wall_body).law->thickness);
     double arc = vbss_scene_suture_arc_length(suture, segment, 0.0);
     double more = SCENE_EXCLUSION_ARC_RATIO * (wire - suture->thread.thread->config.radius);
     return arc < contact_distance ? reach + vbss_max(more, 0.0) : reach;
@@ -79,28 +79,28 @@ static double scale_beside_hole(const scene_body *suture, double reaches)
 }
 
 /* Position of a hole at a time 0..1 within the substep. */
-static vec3 hole_point_at(const suture_hole *hole, const drain_object *d, double time)
+static vec3 hole_point_at(const suture_hole *hole, const suture_wall *wall, double time)
 {
-    const vec3 start = vbss_hole_point(hole, d, d->x);
-    return time > 0.0 ? vec3_lerp(start, vbss_hole_point(hole, d, d->trial), time) : start;
+    const vec3 start = vbss_hole_point(hole, wall, wall->now);
+    return time > 0.0 ? vec3_lerp(start, vbss_hole_point(hole, wall, wall->trial), time) : start;
 }
 
 /* Smallest contact scale over all holes. The distance counts along the suture, in the current and
  * in the rest shape: walls that lie on each other are near now, but not at rest. */
 static double scale_in_holes(const scene_object *s, const scene_body *suture, uint32_t segment,
-                             double fraction, const scene_body *drain,
+                             double fraction, const scene_body *wall_body,
                              const scene_wall_point *wall_point, double reach)
 {
-    const drain_object *d = drain->drain.drain;
-    const double own = reach_at_swage(s, suture, segment, drain, suture_reach(suture, reach));
+    const suture_wall wall = vbss_scene_wall_of(wall_body);
+    const double own = reach_at_swage(s, suture, segment, wall_body, suture_reach(suture, reach));
     double scale = 1.0;
     for (uint32_t i = 0; i < s->config.hole_capacity; i++) {
         const suture_hole *hole = &s->holes[i];
-        if (hole->id == 0 || hole->drain != drain->number) {
+        if (hole->id == 0 || hole->wall != wall_body->number) {
             continue;
         }
-        double now = vec3_distance(wall_point->now, hole_point_at(hole, d, wall_point->time));
-        double rest = vec3_distance(wall_point->rest, vbss_hole_point(hole, d, d->mesh.rest));
+        double now = vec3_distance(wall_point->now, hole_point_at(hole, &wall, wall_point->time));
+        double rest = vec3_distance(wall_point->rest, vbss_hole_point(hole, &wall, wall.rest));
         double max_reach = vbss_max(own, -SCENE_EXCLUSION_ARC_RATIO * hole->entry_arc);
         if (!(vbss_max(now, rest) < (1.0 + SCENE_EXIT_RAMP_RATIO) * max_reach)) {
             continue;
@@ -115,7 +115,7 @@ static double scale_in_holes(const scene_object *s, const scene_body *suture, ui
 }
 
 double vbss_scene_contact_scale_at(const scene_object *s, const scene_body *body, bool is_point,
-                                   uint32_t feature, double fraction, const scene_body *drain,
+                                   uint32_t feature, double fraction, const scene_body *wall_body,
                                    const scene_wall_point *wall_point, double reach)
 {
     if (body->kind == SCENE_BODY_RIGID && is_point) { /* the two ends of a capsule are adjacent */
@@ -123,13 +123,13 @@ double vbss_scene_contact_scale_at(const scene_object *s, const scene_body *body
         feature /= 2;
     }
     if (body->kind == SCENE_BODY_RIGID &&
-        vbss_scene_is_wall_in_grasp(s, drain, wall_point->now, body, feature)) {
+        vbss_scene_is_wall_in_grasp(s, wall_body, wall_point->now, body, feature)) {
         return SCENE_HELD_WALL_CONTACT_SCALE;
     }
     bool node = is_point && body->kind == SCENE_BODY_THREAD;
-    return vbss_scene_is_suture(body)
-               ? scale_in_holes(s, body, feature, node ? 0.0 : fraction, drain, wall_point, reach)
-               : 1.0;
+    return vbss_scene_is_suture(body) ? scale_in_holes(s, body, feature, node ? 0.0 : fraction,
+                                                       wall_body, wall_point, reach)
+                                      : 1.0;
 }
 
 /* Moves `from` to the end of a hole's exclusion interval if it is inside, and returns true.
@@ -150,8 +150,8 @@ static bool pass_hole(const suture_hole *hole, double arc, const scene_body *nee
 
 /* Finds the next interval of arc lengths from..to outside all holes. False: the capsule has no
  * further one. */
-static bool find_interval(const scene_object *s, const scene_body *needle, const scene_body *drain,
-                          double reach, double *from, double *to)
+static bool find_interval(const scene_object *s, const scene_body *needle,
+                          const scene_body *wall_body, double reach, double *from, double *to)
 {
     const double end = *to, length = vbss_needle_length(needle->rigid.needle);
     const scene_body *thread = vbss_scene_swaged_thread(s, needle);
@@ -165,9 +165,9 @@ static bool find_interval(const scene_object *s, const scene_body *needle, const
             bool behind = thread != NULL && h->thread == thread->number;
             bool own = h->id != 0 && (behind || h->needle == needle->number);
             double arc = behind ? length + h->arc : h->arc;
-            moved =
-                (own && h->drain == drain->number && pass_hole(h, arc, needle, reach, from, to)) ||
-                moved;
+            moved = (own && h->wall == wall_body->number &&
+                     pass_hole(h, arc, needle, reach, from, to)) ||
+                    moved;
         }
     }
     return *from < *to;
@@ -201,16 +201,16 @@ static bool clip_to_interval(const vec3 axis[2], const vec3 edge[2], double at[2
 }
 
 bool vbss_scene_next_axis_interval(const scene_object *s, const scene_body *needle,
-                                   uint32_t capsule, const scene_body *drain, uint32_t edge,
+                                   uint32_t capsule, const scene_body *wall_body, uint32_t edge,
                                    double reach, scene_axis_interval *interval)
 {
-    const uint32_t *node = s->collision->shapes[drain->shape]->edges[edge];
-    const vec3 *x = drain->drain.drain->x, edge_points[2] = {x[node[0]], x[node[1]]};
+    const uint32_t *node = s->collision->shapes[wall_body->shape]->edges[edge];
+    const vec3 *x = vbss_scene_wall_of(wall_body).now, edge_points[2] = {x[node[0]], x[node[1]]};
     const vec3 *axis = s->capsules[needle->rigid.first_capsule + capsule].now;
     const double start = vbss_scene_suture_arc_length(needle, capsule, 0.0);
     const double end = vbss_scene_suture_arc_length(needle, capsule, 1.0);
     double from = interval->started ? interval->end_arc : start, to = end;
-    while (find_interval(s, needle, drain, reach, &from, &to)) {
+    while (find_interval(s, needle, wall_body, reach, &from, &to)) {
         *interval = (scene_axis_interval){true, to, {{(from - start) / (end - start)}}};
         interval->bounds[0][1] = to < end ? (to - start) / (end - start) : 1.0;
         if (clip_to_interval(axis, edge_points, interval->bounds)) {
@@ -222,23 +222,23 @@ bool vbss_scene_next_axis_interval(const scene_object *s, const scene_body *need
     return false;
 }
 
-static scene_wall_point wall_point_of(const scene_object *s, const scene_body *drain,
+static scene_wall_point wall_point_of(const scene_object *s, const scene_body *wall_body,
                                       const contact_constraint *constraint)
 {
     const double *at = scene_geometry_of(s, constraint)->barycentric;
     const double weights[3] = {1.0 - at[0] - at[1], at[0], at[1]};
     if (constraint->key.kind == VBSS_SCENE_CONTACT_POINT_FACE) {
-        return vbss_scene_wall_point(drain, constraint->key.feature_b, weights);
+        return vbss_scene_wall_point(wall_body, constraint->key.feature_b, weights);
     }
-    const uint32_t *edge = s->collision->shapes[drain->shape]->edges[constraint->key.feature_b];
-    return vbss_scene_wall_point_on_edge(drain, edge, at[1]);
+    const uint32_t *edge = s->collision->shapes[wall_body->shape]->edges[constraint->key.feature_b];
+    return vbss_scene_wall_point_on_edge(wall_body, edge, at[1]);
 }
 
 double vbss_scene_contact_scale_of(const scene_object *s, const contact_constraint *constraint)
 {
     const scene_body *a = vbss_scene_body(s, constraint->key.body_a);
     const scene_body *b = vbss_scene_body(s, constraint->key.body_b);
-    if (a->kind == SCENE_BODY_DRAIN || b == NULL || b->kind != SCENE_BODY_DRAIN) {
+    if (scene_is_wall(a) || !scene_is_wall(b)) {
         return 1.0;
     }
     const scene_contact_geometry *geometry = scene_geometry_of(s, constraint);

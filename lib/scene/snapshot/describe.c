@@ -77,9 +77,13 @@ void vbss_scene_visit_body_description(vbss_stream *stream, scene_body_descripti
         visit_mesh(stream, &d->static_mesh);
         break;
     case SCENE_DESCRIBED_HOST_SURFACE:
+    case SCENE_DESCRIBED_WALL:
         visit_mesh(stream, &d->host_surface.mesh);
         vbss_stream_f64(stream, 57, &d->host_surface.jump_limit, 1);
         vbss_stream_u32(stream, 58, &d->host_surface.compliance_size, 1);
+        if (d->type == SCENE_DESCRIBED_WALL) {
+            vbss_scene_visit_hole_parameters(stream, 59, &d->host_surface.law);
+        }
         break;
     case SCENE_DESCRIBED_PLANE:
         visit_plane(stream, &d->plane);
@@ -190,9 +194,10 @@ static scene_body_description describe_mesh(const scene_rigid *r, const collisio
                                                 .friction = r->created_friction,
                                                 .thickness = 2.0 * shape->radius};
     if (r->surface != NULL) {
-        return (scene_body_description){
-            .type = SCENE_DESCRIBED_HOST_SURFACE,
-            .host_surface = {mesh, r->surface->jump_limit, r->surface->compliance_size}};
+        return (scene_body_description){.type = SCENE_DESCRIBED_WALL,
+                                        .host_surface = {mesh, r->surface->jump_limit,
+                                                         r->surface->compliance_size,
+                                                         r->surface->law}};
     }
     return (scene_body_description){.type = SCENE_DESCRIBED_STATIC_MESH, .static_mesh = mesh};
 }
@@ -231,7 +236,7 @@ void vbss_scene_visit_body(vbss_stream *stream, scene_object *s, uint32_t entry)
         vbss_scene_visit_described_static_mesh(stream, &d.static_mesh, &shape->start->x,
                                                shape->triangles[0]);
     }
-    if (d.type == SCENE_DESCRIBED_HOST_SURFACE) {
+    if (d.type == SCENE_DESCRIBED_WALL) {
         vbss_scene_visit_described_static_mesh(stream, &d.host_surface.mesh,
                                                &b->rigid.surface->now->x,
                                                s->collision->shapes[b->shape]->triangles[0]);

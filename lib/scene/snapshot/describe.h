@@ -19,8 +19,9 @@ enum {
     SCENE_DESCRIBED_GONE_THREAD = 7, /* a thread that has left the scene, but not its pieces */
     SCENE_DESCRIBED_SURFACE = 8,     /* a drain with a surface */
     SCENE_DESCRIBED_STATIC_MESH = 9,
-    SCENE_DESCRIBED_HOST_SURFACE = 10,
-    SCENE_DESCRIBED_PLANE = 11
+    SCENE_DESCRIBED_HOST_SURFACE = 10, /* its holes have the default parameters */
+    SCENE_DESCRIBED_PLANE = 11,
+    SCENE_DESCRIBED_WALL = 12 /* a host surface, with the parameters of its holes */
 };
 
 /* A rigid body that is neither a needle nor a grasper. */
@@ -47,6 +48,7 @@ typedef struct scene_host_surface_description {
     scene_static_mesh_description mesh;
     double jump_limit; /* m */
     uint32_t compliance_size;
+    vbss_drain_config law; /* parameters of punctures and holes */
 } scene_host_surface_description;
 
 /* Numbers of entries of a surface's arrays. */

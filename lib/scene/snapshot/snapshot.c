@@ -477,11 +477,11 @@ static void visit_thread_grasps(vbss_stream *stream, scene_object *s)
 static bool is_valid_hole(const scene_object *s, const suture_hole *hole)
 {
     const scene_body *n = vbss_scene_body(s, hole->needle), *t = vbss_scene_body(s, hole->thread);
-    const scene_body *d = vbss_scene_body(s, hole->drain);
+    const scene_body *d = vbss_scene_body(s, hole->wall);
     bool needle = n != NULL && n->kind == SCENE_BODY_RIGID && n->rigid.needle != NULL;
     bool thread = t != NULL && t->kind == SCENE_BODY_THREAD && suture_is_curve(t->thread.thread);
-    return hole->id <= s->last_hole_id && (hole->needle != 0 ? needle : thread) && d != NULL &&
-           d->kind == SCENE_BODY_DRAIN && hole->triangle < d->drain.drain->mesh.triangle_count &&
+    return hole->id <= s->last_hole_id && (hole->needle != 0 ? needle : thread) &&
+           scene_is_wall(d) && hole->triangle < vbss_scene_wall_of(d).triangle_count &&
            vbss_hole_is_valid(hole);
 }
 

@@ -147,8 +147,8 @@ static void add_hole_separators(const scene_object *s, const contact_constraint 
 {
     const suture_hole *hole = &s->holes[constraint->key.feature_a];
     const scene_hole_context p = vbss_scene_get_hole_context(s, hole);
-    for (uint32_t k = 0; k < 3; k++) {
-        p.drain->is_separator[p.drain->drain->mesh.triangles[hole->triangle][k]] = 1;
+    for (uint32_t k = 0; k < 3 && p.wall_body->kind == SCENE_BODY_DRAIN; k++) {
+        p.wall_body->drain.is_separator[p.wall.triangles[hole->triangle][k]] = 1;
     }
     for (uint32_t k = 0; p.thread != NULL && k < constraint->jacobian_block_count; k++) {
         uint32_t node = constraint->jacobian[k].block - p.thread->thread.first_block;

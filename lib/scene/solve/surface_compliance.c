@@ -1,4 +1,4 @@
-/* Compliance of host surfaces in the linear system. A vertex that a contact touches gets a block: its
+/* Compliance of host surfaces in the linear system. A vertex that a contact or hole touches gets a block: its
  * unknown is the displacement from the position that the host has prescribed, against which the stiffness
  * of the vertex, the inverse of its compliance, acts. Without contact a vertex is where the host says, and has
  * no block. */
@@ -20,6 +20,16 @@ static void mark_vertices(const scene_object *s, const contact_key *key, bool is
         s, b, key->kind, is_b, is_b ? key->feature_b : key->feature_a, nodes);
     for (uint32_t k = 0; k < count; k++) {
         h->touched_index[nodes[k]] = 1;
+    }
+}
+
+/* The corners of the triangle in which a hole is. */
+static void mark_hole(const scene_object *s, const contact_key *key)
+{
+    const scene_body *b = vbss_scene_body(s, key->body_b);
+    scene_host_surface *h = scene_host_surface_of(b);
+    for (uint32_t k = 0; scene_is_compliant(h) && k < 3; k++) {
+        h->touched_index[h->shape->triangles[s->holes[key->feature_a].triangle][k]] = 1;
     }
 }
 
@@ -53,6 +63,8 @@ void vbss_scene_list_touched_vertices(scene_object *s)
         if (scene_is_surface_contact(key->kind)) {
             mark_vertices(s, key, false);
             mark_vertices(s, key, true);
+        } else if (key->kind == VBSS_SCENE_CONTACT_HOLE) {
+            mark_hole(s, key);
         }
     }
     for (uint32_t i = 0; i < s->body_count; i++) {

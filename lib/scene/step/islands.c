@@ -99,7 +99,7 @@ static void connect_grasps_and_holes(scene_object *s)
     }
     for (uint32_t i = 0; i < s->config.hole_capacity; i++) {
         const suture_hole *hole = &s->holes[i];
-        connect_numbers(s, hole->id != 0 ? hole->drain : 0,
+        connect_numbers(s, hole->id != 0 ? hole->wall : 0,
                         hole->needle != 0 ? hole->needle : hole->thread);
     }
 }

@@ -14,13 +14,14 @@ typedef struct crossing {
     double arc, distance; /* arc length from the tip of the needle; distance from the hole, m */
 } crossing;
 
-static double distance_from_hole(const suture_hole *hole, const scene_body *drain,
+static double distance_from_hole(const suture_hole *hole, const scene_body *wall_body,
                                  const suture_hole *at)
 {
-    const drain_object *d = drain->drain.drain;
-    const scene_wall_point wall_point = vbss_scene_wall_point(drain, at->triangle, at->barycentric);
-    return vbss_max(vec3_distance(wall_point.now, vbss_hole_point(hole, d, d->x)),
-                    vec3_distance(wall_point.rest, vbss_hole_point(hole, d, d->mesh.rest)));
+    const suture_wall wall = vbss_scene_wall_of(wall_body);
+    const scene_wall_point wall_point =
+        vbss_scene_wall_point(wall_body, at->triangle, at->barycentric);
+    return vbss_max(vec3_distance(wall_point.now, vbss_hole_point(hole, &wall, wall.now)),
+                    vec3_distance(wall_point.rest, vbss_hole_point(hole, &wall, wall.rest)));
 }
 
 /* Part of a capsule's axis beyond an arc length. */
@@ -37,10 +38,11 @@ static void remaining_axis(const scene_body *needle, uint32_t capsule, double fr
 
 /* Lists the crossings of a needle with a wall, from the tip to an arc length. Crossings nearer
  * to each other than the wire's radius count as one: a side of two triangles has one in each. */
-static uint32_t list_crossings(const scene_body *needle, const scene_body *drain, double to,
+static uint32_t list_crossings(const scene_body *needle, const scene_body *wall_body, double to,
                                crossing *list)
 {
     const needle_object *n = needle->rigid.needle;
+    const suture_wall wall = vbss_scene_wall_of(wall_body);
     uint32_t count = 0;
     double from = 0.0, fraction;
     for (uint32_t i = 0; i < n->config.segment_count && from < to; i++) {
@@ -48,8 +50,7 @@ static uint32_t list_crossings(const scene_body *needle, const scene_body *drain
         for (bool more = true; more && from < end && count < CROSSINGS;) {
             vec3 axis[2];
             remaining_axis(needle, i, from, axis);
-            more = vbss_suture_find_wall_crossing(drain->drain.drain, axis, &list[count].at,
-                                                  &fraction);
+            more = vbss_suture_find_wall_crossing(&wall, axis, &list[count].at, &fraction);
             if (more) {
                 list[count].arc = from + fraction * (end - from);
                 from = list[count++].arc + n->config.wire_radius;
@@ -60,19 +61,19 @@ static uint32_t list_crossings(const scene_body *needle, const scene_body *drain
     return count;
 }
 
-static void pierce(scene_object *s, const scene_body *needle, const scene_body *drain,
+static void pierce(scene_object *s, const scene_body *needle, const scene_body *wall_body,
                    const crossing *c)
 {
-    const drain_object *d = drain->drain.drain;
+    const suture_wall wall = vbss_scene_wall_of(wall_body);
     const pose at = vbss_scene_needle_frame(&needle->rigid, needle->rigid.body.now.pose);
     const vec3 direction =
         quat_rotate(at.orientation, vbss_needle_direction(needle->rigid.needle, c->arc));
     suture_hole made = c->at;
     made.needle = needle->number;
-    made.drain = drain->number;
-    made.is_outward = vbss_suture_is_outward(d, c->at.triangle, direction);
+    made.wall = wall_body->number;
+    made.is_outward = vbss_suture_is_outward(&wall, c->at.triangle, direction);
     made.arc = c->arc;
-    made.max_arc = vbss_max(c->arc, d->config.tip_length); /* the hole is open */
+    made.max_arc = vbss_max(c->arc, wall.law->tip_length); /* the hole is open */
     vbss_scene_add_hole(s, &made, 0.0);
 }
 
@@ -80,22 +81,22 @@ static void pierce(scene_object *s, const scene_body *needle, const scene_body *
 static void add_punctures_beside(scene_object *s, const suture_hole *hole)
 {
     const scene_body *needle = vbss_scene_body(s, hole->needle);
-    const scene_body *drain = vbss_scene_body(s, hole->drain);
+    const scene_body *wall_body = vbss_scene_body(s, hole->wall);
     const double wire = needle->rigid.needle->config.wire_radius;
     const double reach =
-        SCENE_EXCLUSION_ARC_RATIO * (wire + 0.5 * drain->drain.drain->config.thickness);
+        SCENE_EXCLUSION_ARC_RATIO * (wire + 0.5 * vbss_scene_wall_of(wall_body).law->thickness);
     const double mouth = vbss_max(reach, -SCENE_EXCLUSION_ARC_RATIO * hole->entry_arc);
     crossing list[CROSSINGS] = {0};
-    const uint32_t count = list_crossings(needle, drain, hole->arc + mouth, list);
+    const uint32_t count = list_crossings(needle, wall_body, hole->arc + mouth, list);
     uint32_t own = 0;
     for (uint32_t i = 0; i < count; i++) {
-        list[i].distance = distance_from_hole(hole, drain, &list[i].at);
+        list[i].distance = distance_from_hole(hole, wall_body, &list[i].at);
         own = list[i].distance < list[own].distance ? i : own;
     }
     for (uint32_t i = 0; i < count; i++) {
         if (i != own && list[i].distance < mouth &&
             !vbss_scene_is_in_other_hole(s, hole, list[i].arc)) {
-            pierce(s, needle, drain, &list[i]);
+            pierce(s, needle, wall_body, &list[i]);
         }
     }
 }

@@ -38,12 +38,17 @@ const scene_body *vbss_scene_swaged_needle(const scene_object *s, const scene_bo
 
 bool vbss_scene_is_hole_active(const scene_object *s, const suture_hole *hole)
 {
-    return hole->id != 0 && !vbss_scene_body(s, hole->drain)->is_frozen;
+    if (hole->id == 0) {
+        return false;
+    }
+    const uint32_t suture = hole->needle != 0 ? hole->needle : hole->thread;
+    return !vbss_scene_body(s, hole->wall)->is_frozen && !vbss_scene_body(s, suture)->is_frozen;
 }
 
 scene_hole_context vbss_scene_get_hole_context(const scene_object *s, const suture_hole *hole)
 {
-    scene_hole_context p = {.drain = &vbss_scene_body(s, hole->drain)->drain, .arc = hole->arc};
+    const scene_body *wall = vbss_scene_body(s, hole->wall);
+    scene_hole_context p = {.wall_body = wall, .wall = vbss_scene_wall_of(wall), .arc = hole->arc};
     if (hole->needle != 0) {
         p.needle = vbss_scene_body(s, hole->needle);
         p.thread = vbss_scene_swaged_thread(s, p.needle);
@@ -72,8 +77,7 @@ scene_hole_context vbss_scene_get_hole_context(const scene_object *s, const sutu
 
 suture_curve_point vbss_scene_hole_curve_point(const scene_hole_context *p, const suture_hole *hole)
 {
-    const drain_object *d = p->drain->drain;
-    return vbss_suture_nearest_point(&p->now, p->arc, vbss_hole_point(hole, d, d->x));
+    return vbss_suture_nearest_point(&p->now, p->arc, vbss_hole_point(hole, &p->wall, p->wall.now));
 }
 
 void vbss_scene_commit_holes(scene_object *s)
@@ -118,7 +122,7 @@ void vbss_scene_find_trial_slides(scene_object *s)
         suture_hole *hole = &s->holes[i];
         if (hole->id != 0) {
             const scene_hole_context p = vbss_scene_get_hole_context(s, hole);
-            const vec3 point = vbss_hole_point(hole, p.drain->drain, p.drain->drain->trial);
+            const vec3 point = vbss_hole_point(hole, &p.wall, p.wall.trial);
             hole->trial_slide = vbss_suture_nearest_point(&p.trial, p.arc, point).arc - p.arc;
         }
     }

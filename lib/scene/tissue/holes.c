@@ -5,14 +5,14 @@
 static void emit_event_of_body(scene_object *s, vbss_scene_event_kind kind, uint32_t body,
                                const suture_hole *hole, double force)
 {
-    const drain_object *d = vbss_scene_body(s, hole->drain)->drain.drain;
+    const suture_wall wall = vbss_scene_wall_of(vbss_scene_body(s, hole->wall));
     vbss_scene_event event = {.kind = kind,
                               .body_a = body,
-                              .body_b = hole->drain,
+                              .body_b = hole->wall,
                               .id = hole->id,
                               .value = force,
                               .arc_length = hole->arc};
-    vbss_scene_add_event_at(s, &event, vbss_hole_point(hole, d, d->x), hole->id);
+    vbss_scene_add_event_at(s, &event, vbss_hole_point(hole, &wall, wall.now), hole->id);
 }
 
 static void emit_hole_event(scene_object *s, vbss_scene_event_kind kind, const suture_hole *hole,
@@ -58,12 +58,12 @@ static vbss_scene_event_kind exit_event(const scene_hole_context *p, const sutur
 bool vbss_scene_is_in_other_hole(const scene_object *s, const suture_hole *hole, double arc)
 {
     const needle_object *n = vbss_scene_body(s, hole->needle)->rigid.needle;
-    const drain_object *d = vbss_scene_body(s, hole->drain)->drain.drain;
-    const double contact_distance = n->config.wire_radius + 0.5 * d->config.thickness;
+    const suture_wall wall = vbss_scene_wall_of(vbss_scene_body(s, hole->wall));
+    const double contact_distance = n->config.wire_radius + 0.5 * wall.law->thickness;
     for (uint32_t i = 0; i < s->config.hole_capacity; i++) {
         const suture_hole *other = &s->holes[i];
         if (other != hole && other->id != 0 && other->needle == hole->needle &&
-            other->drain == hole->drain &&
+            other->wall == hole->wall &&
             fabs(other->arc - arc) < SCENE_EXCLUSION_ARC_RATIO * contact_distance) {
             return true;
         }
@@ -86,7 +86,7 @@ static bool relocate_hole(const scene_object *s, const scene_hole_context *p, su
                               pose_apply(p->now.needle_pose, vbss_needle_point(n, end))};
         suture_hole relocated = *hole;
         double fraction;
-        if (vbss_suture_find_wall_crossing(p->drain->drain, axis, &relocated, &fraction) &&
+        if (vbss_suture_find_wall_crossing(&p->wall, axis, &relocated, &fraction) &&
             !vbss_scene_is_in_other_hole(s, hole, start + fraction * (end - start))) {
             *hole = relocated;
             hole->friction_force = 0.0;
@@ -168,7 +168,7 @@ void vbss_scene_remove_holes_of(scene_object *s, uint32_t number)
 {
     for (uint32_t i = 0; i < s->config.hole_capacity; i++) {
         const suture_hole *hole = &s->holes[i];
-        if (hole->needle == number || hole->thread == number || hole->drain == number) {
+        if (hole->needle == number || hole->thread == number || hole->wall == number) {
             s->holes[i] = (suture_hole){0};
         }
     }

@@ -13,9 +13,9 @@ static double contact_arc(const scene_object *s, const scene_body *needle,
                                                 scene_geometry_of(s, constraint)->barycentric[0]);
 }
 
-/* Finds the load of a drain on the tip of a needle. Returns false if they are not in contact. */
-static bool find_tip_load(const scene_object *s, const scene_body *needle, const scene_body *drain,
-                          suture_tip *tip)
+/* Finds the load of a wall on the tip of a needle. Returns false if they are not in contact. */
+static bool find_tip_load(const scene_object *s, const scene_body *needle,
+                          const scene_body *wall_body, suture_tip *tip)
 {
     const scene_rigid *r = &needle->rigid;
     pose at = vbss_scene_needle_frame(r, r->body.now.pose);
@@ -25,7 +25,8 @@ static bool find_tip_load(const scene_object *s, const scene_body *needle, const
                             quat_rotate(at.orientation, vbss_needle_direction(r->needle, 0.0))};
     for (uint32_t i = 0; i < s->contacts->count; i++) {
         const contact_constraint *constraint = &s->contacts->constraints[i];
-        if (constraint->key.body_a == needle->number && constraint->key.body_b == drain->number &&
+        if (constraint->key.body_a == needle->number &&
+            constraint->key.body_b == wall_body->number &&
             constraint->key.kind != VBSS_SCENE_CONTACT_HOLE &&
             constraint->solution.status != CONTACT_OPEN &&
             vbss_scene_is_at_tip(needle, contact_arc(s, needle, constraint))) {
@@ -38,13 +39,14 @@ static bool find_tip_load(const scene_object *s, const scene_body *needle, const
     return vec3_norm_squared(normal) > 0.0;
 }
 
-/* Whether the needle's tip is entering the drain already. It then makes no second hole, because
+/* Whether the needle's tip is entering the wall already. It then makes no second hole, because
  * the force on it comes from the wall around the first. */
-static bool is_entering(const scene_object *s, const scene_body *needle, const scene_body *drain)
+static bool is_entering(const scene_object *s, const scene_body *needle,
+                        const scene_body *wall_body)
 {
     for (uint32_t i = 0; i < s->config.hole_capacity; i++) {
         const suture_hole *hole = &s->holes[i];
-        if (hole->id != 0 && hole->needle == needle->number && hole->drain == drain->number &&
+        if (hole->id != 0 && hole->needle == needle->number && hole->wall == wall_body->number &&
             hole->arc < 0.0) {
             return true;
         }
@@ -52,22 +54,22 @@ static bool is_entering(const scene_object *s, const scene_body *needle, const s
     return false;
 }
 
-static void puncture_wall(scene_object *s, const scene_body *needle, const scene_body *drain)
+static void puncture_wall(scene_object *s, const scene_body *needle, const scene_body *wall_body)
 {
     suture_tip tip;
     suture_hole made;
-    const drain_object *d = drain->drain.drain;
+    const suture_wall wall = vbss_scene_wall_of(wall_body);
     double wire = needle->rigid.needle->config.wire_radius;
     /* Distance along the tip to a flat wall in contact with it, at the most oblique angle of
      * entry. A hole farther ahead would not be in the wall that the tip presses on. */
-    double reach = (wire + 0.5 * d->config.thickness) / SUTURE_MIN_ENTRY_COSINE;
-    if (is_entering(s, needle, drain) || !find_tip_load(s, needle, drain, &tip) ||
-        !vbss_suture_tip_punctures(&d->config, &tip) ||
-        !vbss_suture_make_hole(d, &tip, reach, wire, &made)) {
+    double reach = (wire + 0.5 * wall.law->thickness) / SUTURE_MIN_ENTRY_COSINE;
+    if (is_entering(s, needle, wall_body) || !find_tip_load(s, needle, wall_body, &tip) ||
+        !vbss_suture_tip_punctures(wall.law, &tip) ||
+        !vbss_suture_make_hole(&wall, &tip, reach, wire, &made)) {
         return;
     }
     made.needle = needle->number;
-    made.drain = drain->number;
+    made.wall = wall_body->number;
     vbss_scene_add_hole(s, &made, -vec3_dot(tip.force, tip.direction));
 }
 
@@ -83,7 +85,7 @@ void vbss_scene_update_holes(scene_object *s)
         for (uint32_t k = 0; scene_active_kind(needle) == SCENE_BODY_RIGID &&
                              needle->rigid.needle != NULL && k < s->body_count;
              k++) {
-            if (scene_active_kind(&s->bodies[k]) == SCENE_BODY_DRAIN) {
+            if (scene_is_active(&s->bodies[k]) && scene_is_pierceable(&s->bodies[k])) {
                 puncture_wall(s, needle, &s->bodies[k]);
             }
         }

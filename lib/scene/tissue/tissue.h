@@ -1,4 +1,4 @@
-/* Holes in the walls of drains: how needles make them, and the sutures that slide through them.
+/* Holes in the walls of drains and host surfaces: how needles make them, and the sutures that slide through them.
  * A suture is a needle, a thread, or a needle with a thread swaged to its end. */
 #ifndef VBSS_SCENE_TISSUE_H
 #define VBSS_SCENE_TISSUE_H
@@ -6,10 +6,11 @@
 #include "scene/tuning.h"
 #include "scene/world/scene_data.h"
 
-/* The drain of a hole and the suture that passes through it. */
+/* The wall of a hole and the suture that passes through it. */
 typedef struct scene_hole_context {
     const scene_body *needle, *thread; /* parts of the suture; NULL: it has no such part */
-    const scene_drain *drain;
+    const scene_body *wall_body;
+    suture_wall wall;
     suture_curve now, trial; /* centre line of the suture, now and in the trial state */
     double arc;              /* arc length of the hole along that curve, m */
 } scene_hole_context;
@@ -31,10 +32,10 @@ const scene_body *vbss_scene_swaged_thread(const scene_object *s, const scene_bo
 /* Returns the needle to whose end the first node of a thread is swaged, or NULL. */
 const scene_body *vbss_scene_swaged_needle(const scene_object *s, const scene_body *thread);
 
-/* Whether a hole takes part in the present substep: it exists, and its drain is not frozen. */
+/* Whether a hole takes part in the present substep: it exists, and neither its wall nor its suture is frozen. */
 bool vbss_scene_is_hole_active(const scene_object *s, const suture_hole *hole);
 
-/* Returns the drain of a hole and the suture in it. */
+/* Returns the wall of a hole and the suture in it. */
 scene_hole_context vbss_scene_get_hole_context(const scene_object *s, const suture_hole *hole);
 
 /* Returns the point of the suture that is in the hole now: the nearest one downhill from its arc
@@ -56,14 +57,14 @@ void vbss_scene_record_holes_before_step(scene_object *s);
 void vbss_scene_close_exited_holes(scene_object *s, bool relocates);
 
 /* Whether a point of a hole's needle, given by its arc length from the tip in m, is in another
- * hole of the same drain. */
+ * hole of the same wall. */
 bool vbss_scene_is_in_other_hole(const scene_object *s, const suture_hole *hole, double arc);
 
 /* Adds a hole and its event, with the force along the tip that made it, N. Sets the id of `made`. If the
  * list is full, adds VBSS_SCENE_EVENT_HOLE_LOST and no hole. */
 void vbss_scene_add_hole(scene_object *s, suture_hole *made, double force);
 
-/* Removes all holes of a needle, thread or drain, given by its number. Adds no event. */
+/* Removes all holes of a needle, thread or wall, given by its number. Adds no event. */
 void vbss_scene_remove_holes_of(scene_object *s, uint32_t number);
 
 /* Returns the arc length of a cut, m, moved out of all holes: only one of its two ends could be

@@ -1,6 +1,7 @@
 /* Host surfaces: motion in a step, forces on vertices, checkpoint and rollback. */
 #include "scene/world/host_surface.h"
 #include "base/memory.h"
+#include "base/stream.h"
 #include "scene/world/world.h"
 
 #include <string.h>
@@ -43,6 +44,18 @@ static void copy(const scene_host_surface *h, vec3 *to, const vec3 *from)
     memcpy(to, from, h->vertex_count * sizeof *to);
 }
 
+static vbss_drain_config law_of(const vbss_scene_surface_config *config)
+{
+    return (vbss_drain_config){.thickness = config->thickness,
+                               .puncture_force = config->puncture_force,
+                               .hole_force = config->hole_force,
+                               .hole_friction = config->hole_friction,
+                               .hole_stiffness = config->hole_stiffness,
+                               .hole_damping = config->hole_damping,
+                               .tip_length = config->tip_length,
+                               .thread_force = config->thread_force};
+}
+
 vbss_result vbss_scene_create_host_surface(scene_object *s, scene_rigid *r,
                                            const vbss_scene_surface_config *config)
 {
@@ -53,7 +66,8 @@ vbss_result vbss_scene_create_host_surface(scene_object *s, scene_rigid *r,
     }
     *h = (scene_host_surface){.vertex_count = config->vertex_count,
                               .jump_limit = config->jump_limit,
-                              .compliance_size = config->compliance_size};
+                              .compliance_size = config->compliance_size,
+                              .law = law_of(config)};
     list_arrays(h, arrays);
     const vbss_result result =
         vbss_allocate_arrays(s->context, arrays, SURFACE_ARRAYS, "host surface");
@@ -245,10 +259,25 @@ static void weights_of(const contact_constraint *constraint, const double baryce
     }
 }
 
+/* The corners of a hole's triangle share the force on its wall. */
+static void add_hole_forces(scene_object *s, const contact_key *key, vec3 force)
+{
+    scene_host_surface *h = scene_host_surface_of(vbss_scene_body(s, key->body_b));
+    const suture_hole *hole = &s->holes[key->feature_a];
+    for (uint32_t k = 0; h != NULL && k < 3; k++) {
+        vec3 *on_vertex = &h->forces[h->shape->triangles[hole->triangle][k]];
+        *on_vertex = vec3_add_scaled(*on_vertex, -hole->barycentric[k], force);
+    }
+}
+
 void vbss_scene_add_surface_forces(scene_object *s, const contact_constraint *constraint,
                                    vec3 force)
 {
     const contact_key *key = &constraint->key;
+    if (key->kind == VBSS_SCENE_CONTACT_HOLE) {
+        add_hole_forces(s, key, force);
+        return;
+    }
     for (int k = 0; k < 2 && scene_is_surface_contact(key->kind); k++) {
         const bool is_b = k == 1;
         const scene_body *b = vbss_scene_body(s, is_b ? key->body_b : key->body_a);
@@ -265,6 +294,16 @@ void vbss_scene_add_surface_forces(scene_object *s, const contact_constraint *co
             h->forces[nodes[i]] =
                 vec3_add_scaled(h->forces[nodes[i]], is_b ? -weights[i] : weights[i], force);
         }
+    }
+}
+
+void vbss_scene_visit_hole_parameters(vbss_stream *stream, uint16_t field, vbss_drain_config *law)
+{
+    double *numbers[] = {&law->puncture_force, &law->hole_force,   &law->hole_friction,
+                         &law->hole_stiffness, &law->hole_damping, &law->tip_length,
+                         &law->thread_force};
+    for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++) {
+        vbss_stream_f64(stream, field, numbers[i], 1);
     }
 }
 

@@ -11,6 +11,8 @@
 struct scene_host_surface {
     /* Persistent. */
     uint32_t vertex_count;
+    const collision_shape *shape; /* of its body */
+    vbss_drain_config law;        /* only thickness, punctures and holes */
     double
         jump_limit; /* largest distance between positions that the host gives one after the other, m */
     vec3 *now;      /* positions, m */
@@ -119,6 +121,9 @@ void vbss_scene_add_surface_forces(scene_object *s, const contact_constraint *co
  * triangle. */
 bool vbss_scene_keeps_triangles(const uint32_t (*triangles)[3], uint32_t count, const vec3 *from,
                                 const vec3 *to, uint32_t *triangle);
+
+/* Visits the parameters of punctures and holes. */
+void vbss_scene_visit_hole_parameters(vbss_stream *stream, uint16_t field, vbss_drain_config *law);
 
 void vbss_scene_checkpoint_host_surface(scene_host_surface *h);
 void vbss_scene_rollback_host_surface(scene_host_surface *h);

@@ -98,6 +98,25 @@ static inline bool scene_has_triangles(const scene_body *b)
     return b != NULL && (b->kind == SCENE_BODY_DRAIN || scene_is_mesh(b));
 }
 
+/* Whether a body is a needle. */
+static inline bool scene_is_needle(const scene_body *b)
+{
+    return b != NULL && b->kind == SCENE_BODY_RIGID && b->rigid.needle != NULL;
+}
+
+/* Whether a body can have holes: a drain or host surface. The floor (NULL) cannot. */
+static inline bool scene_is_wall(const scene_body *b)
+{
+    return b != NULL && (b->kind == SCENE_BODY_DRAIN || scene_host_surface_of(b) != NULL);
+}
+
+/* Whether tips of needles enter a wall by force. */
+static inline bool scene_is_pierceable(const scene_body *b)
+{
+    return b->kind == SCENE_BODY_DRAIN ||
+           (scene_host_surface_of(b) != NULL && b->rigid.surface->law.puncture_force > 0.0);
+}
+
 /* Vertices of a static mesh or host surface in the world, m. */
 static inline const vec3 *scene_mesh_vertices(const scene_object *s, const scene_body *mesh)
 {
@@ -210,25 +229,29 @@ bool vbss_scene_feature_segment(const scene_object *s, uint32_t number, uint32_t
 
 /* ---- wall_point.c */
 
+/* The wall of a drain or host surface, in which holes are. A host surface has no shape at rest: it is that of
+ * now. */
+suture_wall vbss_scene_wall_of(const scene_body *b);
+
 /* Returns a point in a triangle of a drain at the start of the substep. `weights` are its
  * barycentric coordinates. */
-scene_wall_point vbss_scene_wall_point(const scene_body *drain, uint32_t triangle,
+scene_wall_point vbss_scene_wall_point(const scene_body *wall_body, uint32_t triangle,
                                        const double weights[3]);
 
 /* Returns a point on a side of a drain at the start of the substep. `fraction` is the position
  * between its two nodes, 0 to 1. */
-scene_wall_point vbss_scene_wall_point_on_edge(const scene_body *drain, const uint32_t node[2],
+scene_wall_point vbss_scene_wall_point_on_edge(const scene_body *wall_body, const uint32_t node[2],
                                                double fraction);
 
 /* Returns a point in a triangle of a drain at a time within the substep, 0 to 1. `weights` are its
  * barycentric coordinates. The nodes move along straight lines to the trial state. */
-scene_wall_point vbss_scene_wall_point_at_time(const scene_body *drain, uint32_t triangle,
+scene_wall_point vbss_scene_wall_point_at_time(const scene_body *wall_body, uint32_t triangle,
                                                const double weights[3], double time);
 
 /* Returns a point on a side of a drain at a time within the substep, 0 to 1. `fraction` is the
  * position between its two nodes, 0 to 1. The nodes move along straight lines to the trial
  * state. */
-scene_wall_point vbss_scene_wall_point_on_edge_at_time(const scene_body *drain,
+scene_wall_point vbss_scene_wall_point_on_edge_at_time(const scene_body *wall_body,
                                                        const uint32_t node[2], double fraction,
                                                        double time);
 

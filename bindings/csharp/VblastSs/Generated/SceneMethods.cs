@@ -149,7 +149,7 @@ namespace VblastSs
             return grasp;
         }
 
-        /// <summary>Returns a hole of a needle or a thread in a drain, after the last step.</summary>
+        /// <summary>Returns a hole of a needle or a thread in a drain or host surface, after the last step.</summary>
         /// <param name="index">index of the hole, from 0 on; the order may change with the next step</param>
         public SceneHole GetHole(uint index)
         {
@@ -172,16 +172,17 @@ namespace VblastSs
         }
 
         /// <summary>
-        /// Makes a hole where a thread or a needle already goes through the wall of a drain, for
-        /// hosts that lay out a stitch. Afterwards the hole behaves as if a needle had made it.
+        /// Makes a hole where a thread or a needle already goes through the wall of a drain or host
+        /// surface, for hosts that lay out a stitch. Afterwards the hole behaves as if a needle had
+        /// made it.
         /// </summary>
         /// <param name="body">the thread or the needle; a thread of three nodes at least</param>
         /// <param name="arcLength">
         /// approximate arc length of the hole, m, 0 to its length; the hole is at the nearest place
         /// of the suture that a descent from there finds
         /// </param>
-        /// <param name="drain">the drain</param>
-        /// <param name="triangle">of the drain in VBSS_DRAIN_VIEW_TRIANGLES</param>
+        /// <param name="drain">the drain or host surface</param>
+        /// <param name="triangle">its triangle: of a drain in VBSS_DRAIN_VIEW_TRIANGLES, of a host surface as it was added</param>
         /// <param name="weights">three weights of its nodes at the hole, 0 to 1, with the sum 1</param>
         public uint MakeHole(uint body, double arcLength, uint drain, uint triangle, Doubles3? weights)
         {

@@ -16,12 +16,13 @@ namespace VblastSs
         /// <summary>Positions that the host gave last, m: vertex_count times x, y, z.</summary>
         Targets = 2,
         /// <summary>
-        /// Contact forces on the vertices at the end of the last step, friction included, N:
-        /// vertex_count times x, y, z. Each contact force acts at a point of the middle of the
-        /// wall, and the corners of the triangle or edge there share it by its barycentric
-        /// coordinates. So the forces on the vertices have the sum and the torque of the contact
-        /// forces at these points. After a step of which the scene left out a part they are those
-        /// of the step before.
+        /// Forces of contacts and holes on the vertices at the end of the last step, friction
+        /// included, N: vertex_count times x, y, z. Each contact force acts at a point of the
+        /// middle of the wall, and the corners of the triangle or edge there share it by its
+        /// barycentric coordinates. So the forces on the vertices have the sum and the torque of
+        /// the contact forces at these points. The corners of the triangle in which a hole is share
+        /// its force in the same way. After a step of which the scene left out a part they are
+        /// those of the step before.
         /// </summary>
         Forces = 3,
     }
@@ -40,6 +41,13 @@ namespace VblastSs
         internal double JumpLimit;
         internal uint ComplianceSize;
         internal uint Reserved;
+        internal double PunctureForce;
+        internal double HoleForce;
+        internal double HoleFriction;
+        internal double HoleStiffness;
+        internal double HoleDamping;
+        internal double TipLength;
+        internal double ThreadForce;
     }
 
     /// <summary>
@@ -137,6 +145,64 @@ namespace VblastSs
         {
             get { return box[0].ComplianceSize; }
             set { box[0].ComplianceSize = value; }
+        }
+
+        /// <summary>
+        /// Force along the direction of a tip at which it enters the wall, N, 1e-3 to 1e3; 0
+        /// (default): no tip enters by force, and holes are those of vbss_scene_make_hole only.
+        /// </summary>
+        public double PunctureForce
+        {
+            get { return box[0].PunctureForce; }
+            set { box[0].PunctureForce = value; }
+        }
+
+        /// <summary>Friction of a hole with a needle that slides in it, N, 1e-6 to 1e3; default 0.25.</summary>
+        public double HoleForce
+        {
+            get { return box[0].HoleForce; }
+            set { box[0].HoleForce = value; }
+        }
+
+        /// <summary>
+        /// Coefficient of the additional friction from the force across the suture, 0 to 10;
+        /// default 0.3.
+        /// </summary>
+        public double HoleFriction
+        {
+            get { return box[0].HoleFriction; }
+            set { box[0].HoleFriction = value; }
+        }
+
+        /// <summary>Stiffness of a hole across and along the suture in it, N/m, 1 to 1e7; default 2e4.</summary>
+        public double HoleStiffness
+        {
+            get { return box[0].HoleStiffness; }
+            set { box[0].HoleStiffness = value; }
+        }
+
+        /// <summary>Damping of sliding in a hole, N s/m, 0 to 1e3; default 0.05.</summary>
+        public double HoleDamping
+        {
+            get { return box[0].HoleDamping; }
+            set { box[0].HoleDamping = value; }
+        }
+
+        /// <summary>
+        /// Length of a tip's path through the wall over which puncture_force falls to hole_force,
+        /// m, 0 to 0.1; default 0.5e-3.
+        /// </summary>
+        public double TipLength
+        {
+            get { return box[0].TipLength; }
+            set { box[0].TipLength = value; }
+        }
+
+        /// <summary>Friction of a hole with a slack thread in it, N, 1e-6 to 1e3; default 0.02.</summary>
+        public double ThreadForce
+        {
+            get { return box[0].ThreadForce; }
+            set { box[0].ThreadForce = value; }
         }
 
         internal SceneSurfaceConfigData* Pin(Pins pins)

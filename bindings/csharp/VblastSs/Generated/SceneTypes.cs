@@ -311,10 +311,7 @@ namespace VblastSs
             set { box[0].DrainCapacity = value; }
         }
 
-        /// <summary>
-        /// Largest number of holes of needles and threads in drains at a time, 0 to 256; default
-        /// 16.
-        /// </summary>
+        /// <summary>Largest number of holes of needles and threads in walls at a time, 0 to 256; default 16.</summary>
         public uint HoleCapacity
         {
             get { return box[0].HoleCapacity; }
@@ -1114,7 +1111,7 @@ namespace VblastSs
         public double Depth;
     }
 
-    /// <summary>A hole of a needle or a thread in a drain.</summary>
+    /// <summary>A hole of a needle or a thread in a drain or host surface.</summary>
     [StructLayout(LayoutKind.Sequential)]
     public partial struct SceneHole
     {
@@ -1123,15 +1120,18 @@ namespace VblastSs
         public uint Id;
         /// <summary>Number of the needle in the hole; 0: a thread is in it.</summary>
         public uint Needle;
-        /// <summary>Number of the drain.</summary>
+        /// <summary>Number of the drain or host surface.</summary>
         public uint Drain;
-        /// <summary>Triangle of the drain.</summary>
+        /// <summary>Triangle of it.</summary>
         public uint Triangle;
         /// <summary>1: the tip went through from inside; 0: from outside.</summary>
         public uint Outward;
         /// <summary>Weights of the triangle's nodes at the hole.</summary>
         public Doubles3 Weights;
-        /// <summary>Position of the hole on the drain at rest, m: VBSS_DRAIN_VIEW_REST_POSITIONS.</summary>
+        /// <summary>
+        /// Position of the hole on the drain at rest, m: VBSS_DRAIN_VIEW_REST_POSITIONS. In a host
+        /// surface the same as `position`.
+        /// </summary>
         public Vector3d RestPosition;
         /// <summary>Current position of the hole, in the middle of the wall, m.</summary>
         public Vector3d Position;

@@ -165,7 +165,7 @@ class vbss_scene_config(ctypes.Structure):
 
     drain_capacity: Largest number of drains at a time, 0 to 16; default 1.
 
-    hole_capacity: Largest number of holes of needles and threads in drains at a time, 0 to 256;
+    hole_capacity: Largest number of holes of needles and threads in walls at a time, 0 to 256;
     default 16.
 
     overlap: Treatment of overlapping new bodies; default VBSS_SCENE_OVERLAP_WARN.
@@ -850,21 +850,22 @@ class SceneBlocker(NamedTuple):
 
 
 class vbss_scene_hole(ctypes.Structure):
-    """A hole of a needle or a thread in a drain.
+    """A hole of a needle or a thread in a drain or host surface.
 
     id: Identifier from 1 on, in the order of creation; never reused.
 
     needle: Number of the needle in the hole; 0: a thread is in it.
 
-    drain: Number of the drain.
+    drain: Number of the drain or host surface.
 
-    triangle: Triangle of the drain.
+    triangle: Triangle of it.
 
     outward: 1: the tip went through from inside; 0: from outside.
 
     weights: Weights of the triangle's nodes at the hole.
 
     rest_position: Position of the hole on the drain at rest, m: VBSS_DRAIN_VIEW_REST_POSITIONS.
+    In a host surface the same as `position`.
 
     position: Current position of the hole, in the middle of the wall, m.
 
@@ -916,7 +917,7 @@ class vbss_scene_hole(ctypes.Structure):
 
 
 class SceneHole(NamedTuple):
-    """A hole of a needle or a thread in a drain. Fields as vbss_scene_hole says."""
+    """A hole of a needle or a thread in a drain or host surface. Fields as vbss_scene_hole says."""
     id: int
     needle: int
     drain: int

@@ -19,11 +19,12 @@ class SceneSurfaceField(IntEnum):
     TARGETS = 2
     """Positions that the host gave last, m: vertex_count times x, y, z."""
     FORCES = 3
-    """Contact forces on the vertices at the end of the last step, friction included, N:
-    vertex_count times x, y, z. Each contact force acts at a point of the middle of the wall,
+    """Forces of contacts and holes on the vertices at the end of the last step, friction included,
+    N: vertex_count times x, y, z. Each contact force acts at a point of the middle of the wall,
     and the corners of the triangle or edge there share it by its barycentric coordinates. So
     the forces on the vertices have the sum and the torque of the contact forces at these
-    points. After a step of which the scene left out a part they are those of the step before."""
+    points. The corners of the triangle in which a hole is share its force in the same way.
+    After a step of which the scene left out a part they are those of the step before."""
 
 
 class vbss_scene_surface_config(ctypes.Structure):
@@ -57,7 +58,26 @@ class vbss_scene_surface_config(ctypes.Structure):
     compliance_size: Numbers with which the host states how far each vertex gives way to a
     force: 0 (default): none, all vertices are exactly where the host says; 1: one compliance
     for all directions; 9: a symmetric matrix of 3 x 3. Values are set by
-    vbss_scene_set_surface_compliance, and are zero before."""
+    vbss_scene_set_surface_compliance, and are zero before.
+
+    puncture_force: Force along the direction of a tip at which it enters the wall, N, 1e-3 to
+    1e3; 0 (default): no tip enters by force, and holes are those of vbss_scene_make_hole only.
+
+    hole_force: Friction of a hole with a needle that slides in it, N, 1e-6 to 1e3; default
+    0.25.
+
+    hole_friction: Coefficient of the additional friction from the force across the suture, 0 to
+    10; default 0.3.
+
+    hole_stiffness: Stiffness of a hole across and along the suture in it, N/m, 1 to 1e7;
+    default 2e4.
+
+    hole_damping: Damping of sliding in a hole, N s/m, 0 to 1e3; default 0.05.
+
+    tip_length: Length of a tip's path through the wall over which puncture_force falls to
+    hole_force, m, 0 to 0.1; default 0.5e-3.
+
+    thread_force: Friction of a hole with a slack thread in it, N, 1e-6 to 1e3; default 0.02."""
     struct_size: int
     vertex_count: int
     triangle_count: int
@@ -69,6 +89,13 @@ class vbss_scene_surface_config(ctypes.Structure):
     jump_limit: float
     compliance_size: int
     reserved: int
+    puncture_force: float
+    hole_force: float
+    hole_friction: float
+    hole_stiffness: float
+    hole_damping: float
+    tip_length: float
+    thread_force: float
     _kinds_: ClassVar[dict[str, Any]] = {}
     _fields_ = [
         ("struct_size", c_uint32),
@@ -82,6 +109,13 @@ class vbss_scene_surface_config(ctypes.Structure):
         ("jump_limit", c_double),
         ("compliance_size", c_uint32),
         ("reserved", c_uint32),
+        ("puncture_force", c_double),
+        ("hole_force", c_double),
+        ("hole_friction", c_double),
+        ("hole_stiffness", c_double),
+        ("hole_damping", c_double),
+        ("tip_length", c_double),
+        ("thread_force", c_double),
     ]
 
 

@@ -162,7 +162,7 @@ pub struct vbss_scene_config {
     pub grasp_capacity: u32,
     /// Largest number of drains at a time, 0 to 16; default 1.
     pub drain_capacity: u32,
-    /// Largest number of holes of needles and threads in drains at a time, 0 to 256; default 16.
+    /// Largest number of holes of needles and threads in walls at a time, 0 to 256; default 16.
     pub hole_capacity: u32,
     /// Treatment of overlapping new bodies; default VBSS_SCENE_OVERLAP_WARN.
     pub overlap: vbss_scene_overlap_policy,
@@ -506,7 +506,7 @@ pub struct vbss_scene_blocker {
     pub depth: f64,
 }
 
-/// A hole of a needle or a thread in a drain.
+/// A hole of a needle or a thread in a drain or host surface.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct vbss_scene_hole {
@@ -516,15 +516,16 @@ pub struct vbss_scene_hole {
     pub id: u32,
     /// Number of the needle in the hole; 0: a thread is in it.
     pub needle: u32,
-    /// Number of the drain.
+    /// Number of the drain or host surface.
     pub drain: u32,
-    /// Triangle of the drain.
+    /// Triangle of it.
     pub triangle: u32,
     /// 1: the tip went through from inside; 0: from outside.
     pub outward: u32,
     /// Weights of the triangle's nodes at the hole.
     pub weights: [f64; 3],
-    /// Position of the hole on the drain at rest, m: VBSS_DRAIN_VIEW_REST_POSITIONS.
+    /// Position of the hole on the drain at rest, m: VBSS_DRAIN_VIEW_REST_POSITIONS. In a host surface the
+    /// same as `position`.
     pub rest_position: [f64; 3],
     /// Current position of the hole, in the middle of the wall, m.
     pub position: [f64; 3],
@@ -794,7 +795,7 @@ extern "C" {
     /// @threads one thread at a time per context
     /// @since 1.0
     pub fn vbss_scene_get_grasp(scene: *mut vbss_scene, tool: u32, index: u32, grasp: *mut vbss_scene_grasp, struct_size: u32) -> vbss_result;
-    /// Returns a hole of a needle or a thread in a drain, after the last step.
+    /// Returns a hole of a needle or a thread in a drain or host surface, after the last step.
     ///
     /// @param scene        the scene
     /// @param index        index of the hole, from 0 on; the order may change with the next step
@@ -818,15 +819,15 @@ extern "C" {
     /// @threads one thread at a time per context
     /// @since 1.0
     pub fn vbss_scene_get_blocker(scene: *mut vbss_scene, index: u32, blocker: *mut vbss_scene_blocker, struct_size: u32) -> vbss_result;
-    /// Makes a hole where a thread or a needle already goes through the wall of a drain, for hosts that
+    /// Makes a hole where a thread or a needle already goes through the wall of a drain or host surface, for hosts that
     /// lay out a stitch. Afterwards the hole behaves as if a needle had made it.
     ///
     /// @param scene       the scene, of method IMPLICIT
     /// @param body        the thread or the needle; a thread of three nodes at least
     /// @param arc_length  approximate arc length of the hole, m, 0 to its length; the hole is at the
     /// nearest place of the suture that a descent from there finds
-    /// @param drain       the drain
-    /// @param triangle of the drain in VBSS_DRAIN_VIEW_TRIANGLES
+    /// @param drain       the drain or host surface
+    /// @param triangle    its triangle: of a drain in VBSS_DRAIN_VIEW_TRIANGLES, of a host surface as it was added
     /// @param weights     three weights of its nodes at the hole, 0 to 1, with the sum 1
     /// @param id     receives the identifier of the hole; may be NULL
     /// @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_OUT_OF_RANGE (a

@@ -12,10 +12,11 @@ pub type vbss_scene_surface_field = i32;
 pub const VBSS_SCENE_SURFACE_VIEW_POSITIONS: vbss_scene_surface_field = 1;
 /// Positions that the host gave last, m: vertex_count times x, y, z.
 pub const VBSS_SCENE_SURFACE_VIEW_TARGETS: vbss_scene_surface_field = 2;
-/// Contact forces on the vertices at the end of the last step, friction included, N: vertex_count
+/// Forces of contacts and holes on the vertices at the end of the last step, friction included, N: vertex_count
 /// times x, y, z. Each contact force acts at a point of the middle of the wall, and the corners of
 /// the triangle or edge there share it by its barycentric coordinates. So the forces on the
-/// vertices have the sum and the torque of the contact forces at these points. After a step of which
+/// vertices have the sum and the torque of the contact forces at these points. The corners of the triangle
+/// in which a hole is share its force in the same way. After a step of which
 /// the scene left out a part they are those of the step before.
 pub const VBSS_SCENE_SURFACE_VIEW_FORCES: vbss_scene_surface_field = 3;
 
@@ -55,6 +56,22 @@ pub struct vbss_scene_surface_config {
     pub compliance_size: u32,
     /// Zero.
     pub reserved: u32,
+    /// Force along the direction of a tip at which it enters the wall, N, 1e-3 to 1e3; 0 (default): no tip
+    /// enters by force, and holes are those of vbss_scene_make_hole only.
+    pub puncture_force: f64,
+    /// Friction of a hole with a needle that slides in it, N, 1e-6 to 1e3; default 0.25.
+    pub hole_force: f64,
+    /// Coefficient of the additional friction from the force across the suture, 0 to 10; default 0.3.
+    pub hole_friction: f64,
+    /// Stiffness of a hole across and along the suture in it, N/m, 1 to 1e7; default 2e4.
+    pub hole_stiffness: f64,
+    /// Damping of sliding in a hole, N s/m, 0 to 1e3; default 0.05.
+    pub hole_damping: f64,
+    /// Length of a tip's path through the wall over which puncture_force falls to hole_force, m, 0 to 0.1;
+    /// default 0.5e-3.
+    pub tip_length: f64,
+    /// Friction of a hole with a slack thread in it, N, 1e-6 to 1e3; default 0.02.
+    pub thread_force: f64,
 }
 
 extern "C" {
@@ -68,7 +85,8 @@ extern "C" {
     pub fn vbss_scene_surface_config_init(config: *mut vbss_scene_surface_config, struct_size: u32) -> vbss_result;
     /// Adds a host surface: a static mesh that moves (vbss_scene_add_static_mesh). It counts as one of the
     /// scene's rigid bodies (rigid_capacity). It touches neither itself nor static meshes nor other host
-    /// surfaces. No node can be pinned to it, and no hole be made in it. A driven body and the
+    /// surfaces. No node can be pinned to it. Needles and
+    /// threads pass through it by holes, as through a drain (vbss_scene_make_hole, puncture_force). A driven body and the
     /// surface do not press on each other, because both follow the host exactly: the guard holds both back.
     /// Vertices with a compliance (vbss_scene_set_surface_compliance) give way to it, and a coupled tool gives
     /// way itself. The call allocates all memory that steps need for the surface.

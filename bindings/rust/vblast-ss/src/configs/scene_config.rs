@@ -132,7 +132,7 @@ impl SceneConfig {
         self
     }
 
-    /// Largest number of holes of needles and threads in drains at a time, 0 to 256; default 16.
+    /// Largest number of holes of needles and threads in walls at a time, 0 to 256; default 16.
     pub fn hole_capacity(mut self, value: u32) -> Self {
         self.raw.hole_capacity = value;
         self
