@@ -1,5 +1,7 @@
 /* Sections of lofts: circles and jaws. A visual keeps those that it used last, with all that their
  * rings have in common. */
+#include <stddef.h>
+
 #include "base/elementary.h"
 #include "base/pi.h"
 #include "visual/visual.h"
