@@ -61,11 +61,15 @@ namespace VblastSs.Tests
         public static void AnAllocatorInCSharpGetsBackAllThatItGave()
         {
             var sizes = new Dictionary<IntPtr, ulong>();
+            var starts = new Dictionary<IntPtr, IntPtr>(); // of the memory that a block is in
             int given = 0;
             AllocateFunction allocate = (user, size, alignment) =>
             {
-                IntPtr block = Marshal.AllocHGlobal((IntPtr)(long)size);
+                IntPtr start = Marshal.AllocHGlobal((IntPtr)(long)(size + alignment));
+                long behind = start.ToInt64() % (long)alignment;
+                var block = new IntPtr(start.ToInt64() + (long)alignment - behind);
                 sizes[block] = size;
+                starts[block] = start;
                 given++;
                 return block;
             };
@@ -73,7 +77,7 @@ namespace VblastSs.Tests
             {
                 Check.Equal(sizes[block], size, "size");
                 sizes.Remove(block);
-                Marshal.FreeHGlobal(block);
+                Marshal.FreeHGlobal(starts[block]);
             };
             PlainConfig config;
             Check.Equal(0, vbss_context_config_init(out config, (uint)Marshal.SizeOf(typeof(PlainConfig))), "init");
