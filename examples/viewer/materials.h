@@ -86,9 +86,11 @@ static const char *const material_fragment[MATERIAL_PIECES] = {
     "    float fine = smoothstep(0.02, 0.1, 1.0 / (60.0 * length(fwidth(vec2(along, round))) + "
     "1e-3));\n"
     "    vec3 c = vec3(0.055, 0.045, 0.10) * (1.0 + 0.5 * fine * braid);\n"
-    "    if (most_tension > 0.0) {\n" /* blue, green, yellow, red */
-    "        float s = 3.0 * clamp(which / most_tension, 0.0, 1.0);\n"
-    "        c = 0.8 * clamp(vec3(s - 1.0, min(s, 3.0 - s), 1.0 - s), 0.0, 1.0);\n"
+    "    if (most_tension > 0.0) {\n" /* ever brighter, also for who confuses red and green */
+    "        const vec3 slack = vec3(0.00, 0.02, 0.30), half_taut = vec3(0.20, 0.19, 0.19),\n"
+    "            taut = vec3(1.00, 0.80, 0.04);\n"
+    "        float s = 2.0 * clamp(which / most_tension, 0.0, 1.0);\n"
+    "        c = s < 1.0 ? mix(slack, half_taut, s) : mix(half_taut, taut, s - 1.0);\n"
     "    }\n"
     "    return surface(c, vec3(0.05), normalize(n + 0.15 * fine * braid * vec3(0.3, 0.5, 0.4)), "
     "0.42, 0.0, 0.1);\n"

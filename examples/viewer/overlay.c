@@ -184,7 +184,7 @@ static void put_words(show *s, double time)
         put_knot(s, &y, time);
     }
     if ((s->overlays & SHOW_TENSION) != 0) {
-        put_line(s, &y, PEN_PALE, "tension: blue 0, green, red 1 N");
+        put_line(s, &y, PEN_PALE, "tension: blue 0, grey, yellow 1 N");
     }
     if ((s->overlays & SHOW_FORCES) != 0) {
         put_line(s, &y, PEN_PALE, "forces: 10 mm for 1 N; green: on hands");

@@ -1,4 +1,5 @@
-"""Letters of the page against what is behind them: the contrast ratio of WCAG 2.1, at least that of its level AAA."""
+"""Letters of the page against what is behind them: the contrast ratio of WCAG 2.1, at least that of its level AAA. And the
+colours of tension, as people see them who lack one kind of cone."""
 import re
 
 WANTED = 7.0
@@ -27,6 +28,39 @@ def over(text, behind):
     """A colour with its opacity before another one."""
     share = int(text[7:9], 16) / 255 if len(text) == 9 else 1.0
     return tuple(share * a + (1 - share) * b for a, b in zip(rgb(text), behind))
+
+
+# What is seen without the cones of long waves (protanopia) or of middle waves (deuteranopia), from linear RGB:
+# Vienot, Brettel and Mollon 1999, equations 5 and 6 with their matrices multiplied.
+SEEN = {
+    "all cones": ((1, 0, 0), (0, 1, 0), (0, 0, 1)),
+    "protanopia": ((0.11238, 0.88762, 0), (0.11238, 0.88762, 0), (0.00401, -0.00401, 1)),
+    "deuteranopia": ((0.29275, 0.70725, 0), (0.29275, 0.70725, 0), (-0.02234, 0.02234, 1)),
+}
+STEPS, STEP = 5, 7.0  # of tension; of CIE lightness between two of them
+
+
+def lightness(linear_rgb):
+    y = sum(share * c for share, c in zip((0.2126, 0.7152, 0.0722), linear_rgb))
+    return 116 * y ** (1 / 3) - 16 if y > 0.008856 else 903.3 * y
+
+
+def check_tension(materials):
+    names = ("slack", "half_taut", "taut")
+    slack, half_taut, taut = (tuple(float(c) for c in re.search(rf"\b{name} = vec3\(([^)]*)\)", materials).group(1).split(","))
+                              for name in names)
+    smallest = 100.0
+    for kind, matrix in SEEN.items():
+        shades = []
+        for i in range(STEPS):
+            s = 2 * i / (STEPS - 1)
+            a, b, share = (slack, half_taut, s) if s < 1 else (half_taut, taut, s - 1)
+            colour = [(1 - share) * x + share * y for x, y in zip(a, b)]
+            shades.append(lightness([sum(m * c for m, c in zip(row, colour)) for row in matrix]))
+        steps = [b - a for a, b in zip(shades, shades[1:])]
+        assert min(steps) > STEP, f"tension colours with {kind}: lightness {[round(x) for x in shades]}"
+        smallest = min(smallest, *steps)
+    return f"tension: {STEPS} shades, lightness {smallest:.0f} apart or more, with and without all cones"
 
 
 def check(style, panel):
