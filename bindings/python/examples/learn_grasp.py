@@ -3,7 +3,7 @@
     python3 -m pip install gymnasium stable-baselines3      # with torch; its build for processors alone is enough
     python3 bindings/python/examples/learn_grasp.py [--seeds 0 1 2] [--steps 4000] [--episodes 30] [--keep FOLDER]
 
-The tool W begins under a tail that falls. An action is W's velocity for 20 ms; its jaws are always closing, so they hold the tail
+The tool W begins beside a tail that swings. An action is W's velocity for 20 ms; its jaws are always closing, so they hold the tail
 once it is within reach. An episode lasts at most a second. The reward is a point for each 5 mm that W comes nearer to the tail, 10 for
 the grasp, and -0.02 for each action.
 
