@@ -10,6 +10,7 @@ import resource
 import statistics
 import subprocess
 import sys
+import tempfile
 import time
 
 import drive_page
@@ -25,7 +26,8 @@ LIVE = 20.0  # s of wall time
 def native_time(calls, scene, steps):
     script = f"begin {scene} 0\nstep {steps}\n"
     before = resource.getrusage(resource.RUSAGE_CHILDREN)
-    subprocess.run([calls], input=script.encode(), check=True)
+    with tempfile.TemporaryDirectory() as folder:  # for its log
+        subprocess.run([calls], input=script.encode(), check=True, cwd=folder)
     after = resource.getrusage(resource.RUSAGE_CHILDREN)
     return after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
 
