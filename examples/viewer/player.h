@@ -20,7 +20,7 @@ typedef struct player {
 
 /* False, told on standard error. In either case it is to be closed. */
 bool player_open(player *p, const char *path);
-/* Of a log that was read, and is the player's then; the name is told with what fails. */
+/* Takes a log that was read, and frees it later. Messages of failure contain the name. */
 bool player_take(player *p, replay_log log, const char *name);
 void player_close(player *p);
 /* False: there is no such step, or it is not as it was; the latter is told. */

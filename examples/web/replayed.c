@@ -14,7 +14,7 @@ uint8_t *page_room(uint32_t bytes)
     return room.data;
 }
 
-/* By what is there: the log may be of a scripted surgeon, whose note is its own. */
+/* Chosen by the bodies of the stage: a log of the scripted surgeon has a note of another form. */
 static const live_scene *scene_of(const stage *s)
 {
     return live_find(s->tasked != NULL ? "stitch" : s->drain != NULL ? "needle" : "throw");
@@ -45,6 +45,6 @@ int32_t page_seek(uint32_t step)
     if (!p->there || !p->plays) {
         return VBSS_ERROR_WRONG_STATE;
     }
-    p->reported = 0; /* what has happened is told again from the first event that is kept */
+    p->reported = 0; /* events are reported again, from the first one that is kept */
     return player_seek(&p->player, step) ? VBSS_OK : VBSS_ERROR_OUT_OF_RANGE;
 }

@@ -10,7 +10,7 @@ REACTION = 250  # steps until it does: the tool has come there
 
 
 class Controllers:
-    """The right controller of the stand-in. `go` moves a tool to a place in strides and corrects what is left after each."""
+    """The right controller of the stand-in. `go` moves a tool to a place in several moves, and corrects the error after each."""
     side, sign = hands.RIGHT, 1  # to the right
 
     def __init__(self, page):

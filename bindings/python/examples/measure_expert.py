@@ -1,4 +1,4 @@
-"""Counts how many throws the scripted hands tie, over seeds that nobody has chosen.
+"""Counts how many throws the scripted hands tie, over seeds derived from a hash.
 
     python3 bindings/python/examples/measure_expert.py --seeds-of TEXT [--count 100] [--out expert.csv]
 
