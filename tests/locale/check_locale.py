@@ -74,8 +74,13 @@ class Bench:
 
 
 def shape(text, measured):
-    """Where times are measured, the text without its numbers: "0.5" becomes "0", and "0,5" becomes "0,0"."""
-    return re.sub(r"\s+", " ", re.sub(r"\d+(\.\d+)?(e[-+]\d+)?", "0", text)) if measured else text
+    """Where times are measured, the text without its numbers: "0.5" becomes "0", and "0,5" becomes "0,0". Lines that are equal
+    then follow each other as often as the machine is slow, and count once."""
+    if not measured:
+        return text
+    lines = re.sub(r"\d+(\.\d+)?(e[-+]\d+)?", "0", text).splitlines()
+    lines = [" ".join(line.split()) for line in lines]
+    return "\n".join(line for i, line in enumerate(lines) if i == 0 or line != lines[i - 1])
 
 
 def check_preload(b):
