@@ -7,10 +7,10 @@ cd "$(dirname "$(readlink -f "$0")")/.."
 .ci/install-packages gallery
 
 out=build/gallery
-mkdir -p "$out/knots" "$out/throws" "$out/drain" "$out/needle" "$out/report"
+mkdir -p "$out/knots" "$out/throws" "$out/drain" "$out/vessel" "$out/needle" "$out/report"
 echo "== building (release)"
 cmake --preset release >"$out/build.log" 2>&1 || { cat "$out/build.log"; exit 1; }
-cmake --build --preset release --target embed_c embed_cpp first_throw knot_gallery drain_gallery pass_needle vbss_report >>"$out/build.log" 2>&1 || { cat "$out/build.log"; exit 1; }
+cmake --build --preset release --target embed_c embed_cpp first_throw knot_gallery drain_gallery vessel pass_needle vbss_report >>"$out/build.log" 2>&1 || { cat "$out/build.log"; exit 1; }
 
 programs=build/release/examples
 {
@@ -24,6 +24,8 @@ programs=build/release/examples
     "$programs/knots/knot_gallery" "$out/knots"
     echo "== the drain: poked, pinched, shut, opened, pushed in, torn off, loaded"
     "$programs/drain/drain_gallery" "$out/drain"
+    echo "== a vessel is tied off"
+    "$programs/vessel/vessel" "$out/vessel"
     echo "== a needle, passed through both marks of a drain by two scripted hands"
     "$programs/needle/pass_needle" -v -s 1 -p "$out/needle" -l "$out/needle/pass.vbss"
     echo "== reports of a knot and of a passed needle, from their logs"

@@ -2,7 +2,7 @@
  *
  *     surgeon [-s seed] [-n seeds] [-g seeds that must be good: all] [-u pass|pull|tie|over|second|back|third|cut: the last stage] [-t most seconds]
  *             [-w budget of a step in us, 0: none] [-c the same of a call] [-l log] [-p folder for pictures]
- *             [-e seconds between them] [-v]
+ *             [-e seconds between them] [-v] [-j file that gets a line of JSON more for each seed]
  *             [-k expert|resident|novice: whose hands] [-m withdrawn|missed|torn|idle|slack|kept: a mistake]
  *             [-a folder for pictures of the key stages] [--calibrate] [--coach: its sentences, too]
  *
@@ -23,7 +23,8 @@ static int usage(void)
     fprintf(stderr, "surgeon [-s seed] [-n seeds] [-g seeds that must be good: all] [-u "
                     "pass|pull|tie|over|second|back|third|cut] "
                     "[-t most seconds] [-w us of a step] [-c us of a call] [-l log] [-p folder for "
-                    "pictures] [-e seconds between them] [-k expert|resident|novice] [-m mistake] "
+                    "pictures] [-e seconds between them] [-j file for lines of JSON] [-k "
+                    "expert|resident|novice] [-m mistake] "
                     "[-a folder for the "
                     "key stages] [--calibrate] [--coach] [-v]\n");
     return 2;
@@ -43,6 +44,7 @@ static surgeon_stage after(const char *name)
 typedef struct tally {
     int seeds, smallest; /* to be good; below 0: all */
     int good, failed;    /* simulations, and logs that do not play back */
+    const char *lines;   /* file for lines of JSON; may be NULL */
 } tally;
 
 static bool calibrate(vbss_solver_options *solver)
@@ -111,6 +113,9 @@ static bool read_options(int count, char **words, watch *w, tally *t, bool *whol
                 return false;
             }
             break;
+        case 'j':
+            t->lines = words[i];
+            break;
         case 'l':
             w->options.log = words[i];
             break;
@@ -159,6 +164,22 @@ static vbss_result show_coach(void *user, const watch *w, surgeon *s)
     return VBSS_OK;
 }
 
+/* Adds a line to the file, if one was asked for. */
+static bool write_line(const tally *t, const watch *w, const surgeon *s, vbss_result result,
+                       bool is_good)
+{
+    if (t->lines == NULL) {
+        return true;
+    }
+    FILE *out = fopen(t->lines, "a");
+    if (out == NULL) {
+        fprintf(stderr, "surgeon: cannot open %s\n", t->lines);
+        return false;
+    }
+    const bool written = watch_write_outcome(out, w, s, result, is_good);
+    return fclose(out) == 0 && written;
+}
+
 static void run(watch w, bool whole, tally *t)
 {
     static surgeon s;
@@ -174,6 +195,7 @@ static void run(watch w, bool whole, tally *t)
     bool good =
         result == VBSS_OK &&
         (w.options.mistake != SURGEON_NO_MISTAKE ? judge_mistake(&w) : is_made(&w, &s, whole));
+    t->failed += !write_line(t, &w, &s, result, good);
     throw_rig_destroy(&s.stitch.site.rig);
     if (w.options.log != NULL) {
         bool same = watch_replay(&w);

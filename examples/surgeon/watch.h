@@ -2,6 +2,8 @@
 #ifndef VBSS_EXAMPLES_SURGEON_WATCH_H
 #define VBSS_EXAMPLES_SURGEON_WATCH_H
 
+#include <stdio.h>
+
 #include "surgeon/surgeon.h"
 #include "surgeon/task.h"
 
@@ -56,6 +58,9 @@ void watch_progress(watch *w, const surgeon *s, bool enters);
 void watch_album(watch *w, const surgeon *s, const char *doing);
 /* ---- report.c: in the end, what came of it; sorts the times */
 void watch_report(watch *w, const surgeon *s, vbss_result result);
+/* ---- outcome.c: the same as a line of JSON; `is_good`: what the program makes of it; false: it could not be written */
+bool watch_write_outcome(FILE *out, const watch *w, const surgeon *s, vbss_result result,
+                         bool is_good);
 /* ---- events.c: what happened, as the session says */
 void watch_report_events(const watch *w);
 
