@@ -18,6 +18,7 @@ const FULL_FORCE = 2; // N, of the strongest pulse
 const PULSE = 30; // ms
 const NEAR = 0.03, FAR = 20; // m
 const LIT = 1.6; // slope of the lamp's shadows: eyes see more than a laparoscope does
+const CLEAR = 0.25; // m: what a tool has nearer to an eye is seen through
 const DARK = [0.012, 0.013, 0.016];
 const SIDES = { left: 0, right: 1 };
 
@@ -157,14 +158,15 @@ export class Headset {
   drawEyes(frame, head, view) {
     const { renderer, mirrored } = this.page;
     const stage = mirrored ? mirrorScene(this.placement.matrix()) : this.placement.matrix();
-    const lamp = { ...view, clear: 0, light: widen(view.light, LIT) };
-    renderer.drawShadows({ ...lamp, clear: view.clear }); // a shaft at the lamp would darken everything
+    const lit = { ...view, light: widen(view.light, LIT) };
+    renderer.drawShadows(lit);
+    lit.clear = CLEAR / this.placement.scale;
     for (const eye of head.views) {
       const at = this.layer.getViewport(eye);
       const room = product(eye.projectionMatrix, eye.transform.inverse.matrix);
       const from = this.placement.toScene(values(eye.transform.position));
       if (mirrored) from[0] = -from[0];
-      renderer.drawEye({ ...lamp, seen: product(room, stage), eye: from }, this.layer.framebuffer, [at.x, at.y, at.width, at.height], DARK,
+      renderer.drawEye({ ...lit, seen: product(room, stage), eye: from }, this.layer.framebuffer, [at.x, at.y, at.width, at.height], DARK,
         undefined, () => this.panel.draw(room, this.placement.place, this.turn));
     }
   }
