@@ -46,10 +46,11 @@ def main():
         state = drive_task.perform(page, wanted.seed, take, wanted.every, wanted.begin, wanted.end)
         doing = page.run("performer.doing")
     film.stdin.close()
-    assert film.wait() == 0 and taken, "ffmpeg failed, or no picture was taken"
     task = state["task"]
-    print(f"{len(taken)} pictures from {taken[0]:.2f} to {taken[-1]:.2f} s, in {time.monotonic() - start:.0f} s: {wanted.out}")
     print(f"seed {wanted.seed}: {task['phase']} after {task['time']:.1f} s; the surgeon: {doing}")
+    assert taken, "it ended before the film began"
+    assert film.wait() == 0, "ffmpeg failed"
+    print(f"{len(taken)} pictures from {taken[0]:.2f} to {taken[-1]:.2f} s, in {time.monotonic() - start:.0f} s: {wanted.out}")
 
 
 main()
