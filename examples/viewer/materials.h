@@ -52,6 +52,7 @@ static const char *const material_fragment[MATERIAL_PIECES] = {
     "}\n"
     "float lit(vec3 p, vec3 n) {\n"
     "    vec4 c = light * vec4(p + 2e-4 * n, 1.0);\n"
+    "    if (max(abs(c.x), abs(c.y)) > c.w) return 1.0;\n" /* outside the depths that the lamp has */
     "    vec3 s = 0.5 * c.xyz / c.w + 0.5;\n"
     "    float turn = 2.0 * PI * hash(gl_FragCoord.xy), sum = 0.0;\n"
     "    for (int i = 0; i < 12; i++) {\n" /* a disc, turned in each pixel */

@@ -128,6 +128,7 @@ def check_headset(page_file, folder, replay):
         assert state["task"]["phase"] == "to the first mark" and not state["tools"][0]["tracked"], state["task"]
         check_clutch(page, c)
         check_again(page)
+        check_offset(page, c)
         check_ports(page)
         frames, pulses, strongest = page.run("[standIn.frames, standIn.pulses, standIn.strongest]")
         print(f"controllers: {state['steps']} steps, {frames} frames, {pulses} pulses, the strongest {strongest:.2f}")
@@ -136,7 +137,74 @@ def check_headset(page_file, folder, replay):
         page.until("!suturing.shown.state.tools[1].tracked")
         page.click("#pause")
         replay(save(page, folder, "controllers"))
+        length = page.run("suturing.settings.rightLength")
+        check_kept_offset(Page(chromium, page_file), length)
         return complaints_of(chromium, page_file)
+
+
+def check_offset(page, c):
+    """A press of the thumbstick begins to adjust the right tool: the stick makes it longer and turns it down, both at once led by the
+    hand, and the panel says so. Another press ends it; the browser keeps the numbers, and the page shows them."""
+    def stick(right, back):
+        page.run(f"standIn.hands.right.axes = [0, 0, {right}, {back}]")
+        page.state()
+        page.state()
+
+    def press():
+        for is_down in ("true", "false"):
+            page.run(f"standIn.hands.right.stick = {is_down}")
+            page.state()
+
+    def words():
+        return [line["words"] for line in page.run("suturing.headset.lines()") if line["kind"] == "offset"]
+
+    def numbers():
+        return page.run("['leftLength', 'leftPitch', 'rightLength', 'rightPitch'].map(name => suturing.settings[name])")
+
+    usual = [120, 0, 120, 0]
+    stick(1, -1)
+    assert numbers() == usual and not words(), "the stick by itself adjusts the tool"
+    stick(0, 0)
+    before = page.tool(c.side)
+    press()
+    assert words() and words()[0] in page.run("suturing.headset.panel.words"), words()
+    stick(0, -1)
+    page.until("suturing.settings.rightLength > 135")
+    stick(0, 0)
+    page.state()
+    page.pass_time(200)
+    longer, tool = numbers(), page.tool(c.side)
+    ahead = rotate(before["orientation"], (0, 0, -1e-3 * (longer[2] - usual[2]) / page.run("suturing.headset.scale")))
+    went = [b - a for a, b in zip(before["target"], tool["target"])]
+    assert longer[:2] == usual[:2] and longer[3] == 0, longer
+    assert distance(went, ahead) < 1e-4, (went, ahead)
+    stick(1, 0)
+    page.until("suturing.settings.rightPitch > 5")
+    stick(0, 0)
+    page.state()
+    page.pass_time(200)
+    turned, after = numbers(), page.tool(c.side)
+    dot = abs(sum(a * b for a, b in zip(tool["orientation"], after["orientation"])))
+    angle = math.degrees(2 * math.acos(min(1.0, dot)))
+    assert turned[2] == longer[2] and abs(angle - turned[3]) < 0.5, (turned, angle)
+    assert f"{turned[2]:.0f} mm" in words()[0] and f"{turned[3]:.0f}\u00b0 down" in words()[0], (words(), turned)
+    press()
+    assert not words()
+    stick(-1, 1)
+    stick(0, 0)
+    assert numbers() == turned, "the adjustment has not ended"
+    kept = page.run("JSON.parse(localStorage.getItem('suturing'))")
+    shown = page.run("['rightLength', 'rightPitch'].map(id => Number(document.getElementById(id).value))")
+    assert [kept["rightLength"], kept["rightPitch"]] == turned[2:] and shown == [round(n) for n in turned[2:]], (kept, shown, turned)
+    print(f"the right tool is {turned[2]:.0f} mm ahead of its controller, turned by {turned[3]:.0f} degrees ({angle:.1f} in the scene)")
+
+
+def check_kept_offset(page, length):
+    """Opened once more, the page has it; a number in the form is within its limits."""
+    assert page.run("suturing.settings.rightLength") == length and page.run("document.getElementById('rightLength').value") == f"{length:.0f}"
+    for typed, kept in (("100", 100), ("1000", 300), ("", 120)):
+        page.run(f"(box => {{ box.value = '{typed}'; box.dispatchEvent(new Event('change')); }})(document.getElementById('leftLength'))")
+        assert page.run("[suturing.settings.leftLength, JSON.parse(localStorage.getItem('suturing')).leftLength]") == [kept, kept], typed
 
 
 def panel_rows(page, folder, name):

@@ -1,7 +1,10 @@
 """The page in Chromium, from the disk: a mouse and keys that a script moves, and what other files drive it by."""
+import base64
+import gzip
 import json
 import math
 import pathlib
+import re
 import sys
 import time
 
@@ -213,20 +216,47 @@ def check_same_bits(page, calls_natively):
     print(f"{len(found)} hashes of scene and session in the browser are those of the native library")
 
 
-def save(page, folder, name):
+def save(page, folder, name, button="#save", called="suturing.vbss"):
     """By the button, as a person saves it."""
     page.browser.ask("Page.setDownloadBehavior", behavior="allow", downloadPath=str(folder))
-    target = folder / "suturing.vbss"
+    target = folder / called
     target.unlink(missing_ok=True)
     page.key("keyDown", "Escape")  # the mouse is the page's again
     page.key("keyUp", "Escape")
     page.until("!suturing.desk.taken")
-    page.click("#save")
+    page.click(button)
     end = time.monotonic() + PATIENCE
     while not target.exists() or list(folder.glob("*.crdownload")):
         assert time.monotonic() < end, "nothing was saved"
         time.sleep(0.1)
-    return target.rename(folder / f"{name}.vbss")
+    return target.rename(folder / f"{name}{target.suffix}")
+
+
+def share(page, folder, name):
+    return save(page, folder, name, "#share", "suturing-session.html")
+
+
+def check_shared(shared, folder, log, recorded):
+    """The page with the session in it, opened from the disk: it plays the session by itself, to the hashes of the recording, and
+    what it shares in its turn has the same log. The complaints of that browser."""
+    def log_of(page_file):
+        return gzip.decompress(base64.b64decode(re.search(r'id="session">([^<]+)<', page_file.read_text()).group(1)))
+
+    assert log_of(shared) == log.read_bytes(), "the log is not the one that was saved"
+    with browser.Browser(SIZE) as chromium:
+        page = Page(chromium, shared)
+        page.until("suturing.shown.state.replay && suturing.shown.state.steps > 10")
+        assert page.run("document.getElementById('start').hidden && !document.getElementById('timeline').hidden")
+        length = page.state()["replay"]["steps"]
+        page.run(f"suturing.timeline.ask({length})")
+        page.until(f"suturing.shown.state.steps === {length} && suturing.timeline.wanted === null")
+        state = page.state()
+        assert not state["replay"]["differs"] and state["replay"]["whole"] and page.run("suturing.hashes") == recorded, (state["replay"], recorded)
+        again = share(page, folder, f"{shared.stem}-again")
+        assert log_of(again) == log.read_bytes() and again.stat().st_size == shared.stat().st_size
+        print(f"shared as a page of {1e-6 * shared.stat().st_size:.2f} MB, {1e-6 * log.stat().st_size:.2f} MB of it the log before it was packed: {length} steps, "
+              f"the hashes at the end are those of the session")
+        return complaints_of(chromium, shared)
 
 
 def check_played(page, folder):
@@ -252,7 +282,7 @@ def check_played(page, folder):
         assert page.state()["steps"] == at, "it is paused"
         page.key("keyDown", "p")
         page.key("keyUp", "p")
-        page.pass_time(100)
+        page.until(f"suturing.shown.state.steps >= {at + 100}")
     page.picture(folder / "timeline.png")
     for key in (" ", "x", "d"):  # hands have no say
         page.key("keyDown", key)
@@ -290,6 +320,10 @@ def check_desk(page_file, folder, calls_natively, replay):
               f"{clock['givenUp'] / 1e3:.2f} s given up, {page.run('suturing.frames')} pictures")
         replay(save(page, folder, "mouse"))
         check_same_bits(page, calls_natively)
-        replay(save(page, folder, "same"))
+        log = save(page, folder, "same")
+        replay(log)
+        recorded = page.run("suturing.hashes")
+        shared = share(page, folder, "shared")
         check_played(page, folder)
-        return complaints_of(chromium, page_file)
+        complaints = complaints_of(chromium, page_file)
+    return complaints + check_shared(shared, folder, log, recorded)

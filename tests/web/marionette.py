@@ -1,4 +1,4 @@
-"""A Firefox on a screen of its own (Xvfb: without one it has no WebGL), spoken to by its own protocol (Marionette): a socket of this
+"""A Firefox whose requests go to a proxy that refuses and counts them, on a screen of its own (Xvfb: without one it has no WebGL), spoken to by its own protocol (Marionette): a socket of this
 machine, lengths and JSON."""
 import json
 import os
@@ -10,12 +10,18 @@ import subprocess
 import tempfile
 import time
 
+from counting_proxy import CountingProxy
+
 PATIENCE = 120.0  # s
 # It asks for nothing by itself, and draws in software.
 PREFERENCES = {"browser.shell.checkDefaultBrowser": False, "datareporting.policy.dataSubmissionEnabled": False, "app.update.auto": False,
                "app.normandy.enabled": False, "browser.safebrowsing.downloads.remote.enabled": False, "network.captive-portal-service.enabled": False,
                "network.connectivity-service.enabled": False, "toolkit.telemetry.enabled": False, "webgl.force-enabled": True,
-               "webgl.disable-fail-if-major-performance-caveat": True, "browser.aboutwelcome.enabled": False}
+               "webgl.disable-fail-if-major-performance-caveat": True, "browser.aboutwelcome.enabled": False,
+               "services.settings.server": "data:,", "extensions.update.enabled": False, "extensions.getAddons.cache.enabled": False,
+               "browser.search.update": False, "browser.region.network.url": "", "app.normandy.api_url": "", "dom.push.connection.enabled": False,
+               "media.gmp-manager.updateEnabled": False, "app.update.url": "", "dom.security.https_first": False}
+OWN = (".mozilla.com", ".mozilla.org", ".mozilla.net", ".firefox.com")  # hosts that the browser asks by itself
 
 
 def find():
@@ -32,7 +38,11 @@ class Firefox:
     def __init__(self, size):
         self.profile = tempfile.TemporaryDirectory(ignore_cleanup_errors=True)
         port = free_port()
-        wanted = {**PREFERENCES, "marionette.port": port}
+        self.proxy = CountingProxy()
+        wanted = {**PREFERENCES, "marionette.port": port, "network.proxy.type": 1, "network.proxy.no_proxies_on": "",
+                  "network.proxy.allow_hijacking_localhost": True}
+        for kind in ("http", "ssl"):
+            wanted |= {f"network.proxy.{kind}": "127.0.0.1", f"network.proxy.{kind}_port": self.proxy.port}
         (pathlib.Path(self.profile.name) / "user.js").write_text("".join(f"user_pref({json.dumps(k)}, {json.dumps(v)});\n" for k, v in wanted.items()))
         command = [find(), "--marionette", "--no-remote", "--profile", self.profile.name, f"--width={size[0]}", f"--height={size[1]}"]
         self.process = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, start_new_session=True,
@@ -76,7 +86,13 @@ class Firefox:
             self.process.wait()
         self.screen.terminate()
         self.screen.wait()
+        self.proxy.close()
         self.profile.cleanup()
+
+    def hosts(self):
+        """That pages have asked for something."""
+        hosts = [address.rpartition("://")[2].split("/")[0].split(":")[0] for address in self.proxy.asked]
+        return [host for host in hosts if not f".{host}".endswith(OWN)]
 
     def receive(self):
         while b":" not in self.buffer:

@@ -1,6 +1,7 @@
 // Moves the controllers of the stand-in (stand_in_xr.js) to where the surgeon of perform_worker.js wants its tools: once in each
 // frame of the headset, by the place that the page gave the scene, and by what the controllers have, not by the page's calls.
 // In lockstep: between two frames the session makes the steps of one frame at 90 Hz, however long the picture takes.
+// performer.film = { begin, end, every } (s of the session): what both eyes see then is added to performer.pictures.
 (() => {
   const TIP = 0.12; // m, from the controller to its tool's tip, as docs/guides/web.md has it
   const STEPS = 11; // a frame
@@ -35,23 +36,38 @@
   }
 
   const performer = window.performer = {
-    ended: false, frames: 0,
+    ended: false, frames: 0, seconds: 0, film: { begin: 0, end: Infinity, every: Infinity }, pictures: [],
     begin(seed) {
       const page = window.suturing;
       page.captions.begin();
       page.headset.renew();
       page.pause(true);
       drawSome(page.renderer);
+      this.next = this.film.begin;
       page.send({ name: 'perform', seed });
       window.standIn.before = () => new Promise(done => {
+        this.takePicture();
         page.hearWanted = wanted => {
           this.lead(wanted);
+          this.askForPicture();
           now += STEPS;
           done(now);
         };
-        page.send({ name: 'steps', count: page.headset.placement && !this.ended ? STEPS : 0 });
+        const count = page.headset.placement && !this.ended ? STEPS : 0;
+        this.seconds += 1e-3 * count;
+        page.send({ name: 'steps', count });
         page.send({ name: 'wanted' });
       });
+    },
+    askForPicture() {
+      if (this.seconds < Math.max(this.next, 2e-3 * STEPS) || this.seconds > this.film.end) return; // by then the page shows this session
+      this.next += this.film.every;
+      window.standIn.asked = true;
+    },
+    takePicture() {
+      const { standIn } = window;
+      if (standIn.picture) this.pictures.push({ seconds: this.seconds, picture: standIn.picture });
+      standIn.picture = null;
     },
     lead({ hands, doing }) {
       const page = window.suturing;

@@ -1,5 +1,5 @@
 // A stand-in for navigator.xr: a headset whose two eyes are the halves of the canvas, and two controllers that a test moves:
-// standIn.hands.right = { position, orientation (w, x, y, z), trigger, grip, button, axes }. Metres, y up, the head looks along -z.
+// standIn.hands.right = { position, orientation (w, x, y, z), trigger, grip, stick, button, axes }. Metres, y up, the head looks along -z.
 // standIn.tracked: both are hands instead, whose joints standIn.fingers.right makes (stand_in_hand.js).
 // With standIn.before, which makes a promise, a frame waits for that; standIn.asked: what both eyes see in the next frame becomes
 // standIn.picture.
@@ -19,7 +19,7 @@
   };
   const perspective = (slope, aspect, near, far) => new Float32Array([1 / (slope * aspect), 0, 0, 0, 0, 1 / slope, 0, 0,
     0, 0, -(far + near) / (far - near), -1, 0, 0, -2 * far * near / (far - near), 0]);
-  const hand = x => ({ position: [x, 1.2, -0.3], orientation: [1, 0, 0, 0], trigger: 0, grip: false, button: false, axes: [0, 0, 0, 0], seen: true });
+  const hand = x => ({ position: [x, 1.2, -0.3], orientation: [1, 0, 0, 0], trigger: 0, grip: false, stick: false, button: false, axes: [0, 0, 0, 0], seen: true });
 
   const finger = x => ({ position: [x, 1.2, -0.3], orientation: [1, 0, 0, 0], pinch: 0.06, fist: 0, little: false, seen: true });
 
@@ -50,7 +50,7 @@
     const button = value => ({ value, pressed: value > 0.5 });
     const hand = { get: name => ({ handedness, name }) };
     return { handedness, targetRaySpace: { handedness }, get hand() { return standIn.tracked ? hand : undefined; }, gamepad: { hapticActuators: [actuator], get axes() { return state.axes; },
-      get buttons() { return [button(state.trigger), button(state.grip ? 1 : 0), button(0), button(0), button(state.button ? 1 : 0), button(standIn.again ? 1 : 0)]; } } };
+      get buttons() { return [button(state.trigger), button(state.grip ? 1 : 0), button(0), button(state.stick ? 1 : 0), button(state.button ? 1 : 0), button(standIn.again ? 1 : 0)]; } } };
   }
 
   class Session extends EventTarget {

@@ -1,9 +1,11 @@
 // A headset by WebXR: both eyes see the scene before them, larger than it is, and each controller holds a tool. The trigger closes
 // its jaws; while the grip button is held the tool stays (and the thumbstick makes the scene larger or smaller); A or X exchanges
-// it; B or Y brings the scene before the head again. A hand that is tracked does the same by gestures (tracked_hand.js).
+// it; B or Y brings the scene before the head again; a press of the thumbstick adjusts where the tool is in the hand (tool_offset.js).
+// A hand that is tracked does the same by gestures (tracked_hand.js).
 import { mirrorScene } from './mirror.js';
 import { Panel } from './panel.js';
-import { Placement, product, rotate } from './pose.js';
+import { Placement, product, rotate, widen } from './pose.js';
+import { ToolOffset, toolPose } from './tool_offset.js';
 import { JOINTS, TrackedHand } from './tracked_hand.js';
 import { PORTS, throughPort } from './trocar.js';
 
@@ -11,11 +13,12 @@ const SCALE = 5, SMALLEST = 1, LARGEST = 10;
 const GROWTH = 0.8; // 1/s, at the end of the thumbstick
 const DEAD = 0.3; // of the thumbstick
 const BEFORE = 0.5, BELOW = { seated: 0.3, standing: 0.42 }; // m from the head
-const TIP = 0.12; // m, from the controller to its tool's tip
-const TRIGGER = 0, GRIP = 1, EXCHANGE = 4, AGAIN = 5; // buttons of xr-standard
+const TRIGGER = 0, GRIP = 1, STICK = 3, EXCHANGE = 4, AGAIN = 5; // buttons of xr-standard
 const FULL_FORCE = 2; // N, of the strongest pulse
 const PULSE = 30; // ms
 const NEAR = 0.03, FAR = 20; // m
+const LIT = 1.6; // slope of the lamp's shadows: eyes see more than a laparoscope does
+const CLEAR = 0.25; // m: what a tool has nearer to an eye is seen through
 const DARK = [0.012, 0.013, 0.016];
 const SIDES = { left: 0, right: 1 };
 
@@ -27,6 +30,7 @@ export class Headset {
     this.page = page;
     this.session = this.placement = this.last = this.panel = null;
     this.hands = [new TrackedHand(false), new TrackedHand(true)];
+    this.offsets = ['left', 'right'].map(hand => new ToolOffset(page.settings, hand));
     this.scale = SCALE;
     this.pressed = [false, false];
     this.tracked = [false, false];
@@ -51,6 +55,7 @@ export class Headset {
 
   leave() {
     this.session = null;
+    for (const offset of this.offsets) offset.end();
     this.forget();
   }
 
@@ -100,7 +105,7 @@ export class Headset {
     const isDown = button => Boolean(gamepad.buttons[button] && gamepad.buttons[button].pressed);
     const { x, y, z, w } = pose.transform.orientation;
     return { position: values(pose.transform.position), orientation: [w, x, y, z], jaw: 1 - gamepad.buttons[TRIGGER].value, clutched: isDown(GRIP),
-      exchanges: isDown(EXCHANGE), again: isDown(AGAIN), axes: gamepad.axes };
+      exchanges: isDown(EXCHANGE), again: isDown(AGAIN), adjusts: isDown(STICK), axes: gamepad.axes };
   }
 
   readHand(frame, { hand }, side) {
@@ -115,9 +120,9 @@ export class Headset {
 
   // Of the scene; through its port, if it has one, by a turn of the tool, whose tip is where the last picture has it: a clutch has
   // taken it away from the hand.
-  poseInScene(side, { position, orientation }) {
-    const ahead = rotate(orientation, [0, 0, -TIP]);
-    const tip = this.placement.toScene(position.map((n, i) => n + ahead[i]));
+  poseInScene(side, said) {
+    const { position, orientation } = toolPose(said, this.offsets[side]);
+    const tip = this.placement.toScene(position);
     const turned = this.placement.orientationToScene(orientation);
     const { shown, settings } = this.page;
     const through = settings.ports && shown ? throughPort(PORTS[side], shown.state.tools[side].target, turned) : turned;
@@ -129,7 +134,9 @@ export class Headset {
     if (side === undefined) return;
     const said = source.hand ? this.readHand(frame, source, side) : this.readController(frame, source);
     if (!said) return; // it stays where it was
-    if (said.clutched) this.grow(said.axes, seconds);
+    const offset = this.offsets[side];
+    offset.read(Boolean(said.adjusts), said.axes, seconds);
+    if (said.clutched && !offset.isAdjusted) this.grow(said.axes, seconds);
     if (said.again) this.placement = null; // anew with the next picture
     this.exchange(side, said.exchanges);
     const pose = this.placement && this.poseInScene(side, said);
@@ -151,16 +158,23 @@ export class Headset {
   drawEyes(frame, head, view) {
     const { renderer, mirrored } = this.page;
     const stage = mirrored ? mirrorScene(this.placement.matrix()) : this.placement.matrix();
-    const lamp = { ...view, clear: 0 };
-    renderer.drawShadows(lamp);
+    const lit = { ...view, light: widen(view.light, LIT) };
+    renderer.drawShadows(lit);
+    lit.clear = CLEAR / this.placement.scale;
     for (const eye of head.views) {
       const at = this.layer.getViewport(eye);
       const room = product(eye.projectionMatrix, eye.transform.inverse.matrix);
       const from = this.placement.toScene(values(eye.transform.position));
       if (mirrored) from[0] = -from[0];
-      renderer.drawEye({ ...lamp, seen: product(room, stage), eye: from }, this.layer.framebuffer, [at.x, at.y, at.width, at.height], DARK,
+      renderer.drawEye({ ...lit, seen: product(room, stage), eye: from }, this.layer.framebuffer, [at.x, at.y, at.width, at.height], DARK,
         undefined, () => this.panel.draw(room, this.placement.place, this.turn));
     }
+  }
+
+  // On the panel.
+  lines() {
+    const adjusted = this.offsets.filter(offset => offset.isAdjusted).map(offset => ({ kind: 'offset', words: offset.words() }));
+    return [...adjusted, ...this.page.captions.lines()];
   }
 
   picture(now, frame) {
@@ -174,7 +188,7 @@ export class Headset {
     if (!this.placement) this.place(head, view.target);
     for (const source of this.session.inputSources) this.lead(frame, source, seconds);
     if (!this.placement) this.place(head, view.target);
-    this.panel.write(this.page.captions.lines());
+    this.panel.write(this.lines());
     this.drawEyes(frame, head, view);
   }
 }

@@ -4,6 +4,7 @@ import { Captions } from './captions.js';
 import { Desk } from './desk.js';
 import { Headset } from './headset.js';
 import { mirrorMessage, mirrorPicture, mirrorState } from './mirror.js';
+import { OwnPage } from './own_page.js';
 import { Renderer, readView } from './renderer.js';
 import { Settings } from './settings.js';
 import { Timeline } from './timeline.js';
@@ -12,8 +13,17 @@ const $ = id => document.getElementById(id);
 const MAX_PIXELS = 2; // a unit of the screen
 const BY_HANDS = ['move', 'pull', 'close', 'clutch', 'exchange', 'track', 'pose'];
 
+function download(blob, name) {
+  const link = document.createElement('a');
+  link.href = URL.createObjectURL(blob);
+  link.download = name;
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(link.href), 10000);
+}
+
 class Page {
   constructor() {
+    this.own = new OwnPage(document);
     this.worker = new Worker(URL.createObjectURL(new Blob([workerText], { type: 'text/javascript' })));
     this.worker.onmessage = ({ data }) => this.hear(data);
     this.worker.onerror = event => this.fail(event.message);
@@ -68,7 +78,8 @@ class Page {
     this.loaded = ready.milliseconds;
     $('loading').hidden = true;
     $('scenes').hidden = false;
-    this.begin();
+    if (this.own.hasSession) this.own.session().then(bytes => this.playBytes(bytes), error => this.fail(error.message));
+    else this.begin();
   }
 
   hearBegun({ look, programs, resolution }) {
@@ -87,13 +98,10 @@ class Page {
     this.asked = false;
   }
 
-  hearLog({ blob, hashes }) {
+  hearLog({ blob, hashes, shares }) {
     this.hashes = hashes;
-    const link = document.createElement('a');
-    link.href = URL.createObjectURL(blob);
-    link.download = 'suturing.vbss';
-    link.click();
-    setTimeout(() => URL.revokeObjectURL(link.href), 10000);
+    if (shares) this.saveShared(blob);
+    else download(blob, 'suturing.vbss');
   }
 
   hearSought({ hashes }) {
@@ -118,6 +126,7 @@ class Page {
     this.headset.renew();
     this.timeline.begin();
     $('save').hidden = Boolean(this.log);
+    $('share').textContent = this.log ? 'share' : 'end and share';
     this.mirrored = this.settings.leftHanded;
   }
 
@@ -148,8 +157,22 @@ class Page {
 
   // A log that was saved, by this page or by another program.
   async play(file) {
-    this.log = await file.arrayBuffer();
+    this.playBytes(await file.arrayBuffer());
+  }
+
+  playBytes(log) {
+    this.log = log;
     this.go();
+  }
+
+  // The session as a page that plays it: the log that is played, or the one that ends now.
+  share() {
+    if (this.log) this.saveShared(new Blob([this.log]));
+    else this.send({ name: 'log', end: true, shares: true });
+  }
+
+  saveShared(log) {
+    this.own.fileWith(log).then(page => download(page, 'suturing-session.html'), error => this.fail(error.message));
   }
 
   go() {
@@ -163,7 +186,7 @@ class Page {
       button.addEventListener('click', () => this.choose(Number(button.dataset.scene)));
     }
     const clicks = { pause: () => this.pause(!this.paused), again: () => this.begin(), 'help-button': () => this.help(),
-      'close-report': () => { $('report').hidden = true; }, save: () => this.send({ name: 'log', end: true }),
+      'close-report': () => { $('report').hidden = true; }, save: () => this.send({ name: 'log', end: true }), share: () => this.share(),
       headset: () => this.headset.enter().catch(error => this.fail(error.message)),
       choose: () => {
         this.pause(true);

@@ -5,7 +5,7 @@ import { rotate } from './pose.js';
 const WIDE = 0.6, TALL = 0.225; // m
 const ABOVE = 0.24, BEHIND = 0.12; // m, its middle from the scene's
 const PIXELS = [1024, 384], MARGIN = 28, SIZE = 46; // of the letters: 27 mm, 2.5 degrees at 0.6 m
-const INK = { goal: '#f2f2ee', mistake: '#f5c84c', phase: '#c9ccd2', caption: '#f2f2ee', slow: '#f5c84c' };
+const INK = { offset: '#4fd18b', goal: '#f2f2ee', mistake: '#f5c84c', phase: '#c9ccd2', caption: '#f2f2ee', slow: '#f5c84c' };
 const SHADE = '#0b0d12';
 
 const VERTEX = `#version 300 es

@@ -24,6 +24,16 @@ export function product(a, b) {
   return m;
 }
 
+// A perspective view whose picture reaches so far to each side: the tangent of half the angle.
+export function widen(seen, slope) {
+  const m = Float32Array.from(seen);
+  for (const row of [0, 1]) {
+    const size = slope * Math.hypot(m[row], m[4 + row], m[8 + row]);
+    for (let column = 0; column < 4; column++) m[4 * column + row] /= size;
+  }
+  return m;
+}
+
 // Where the scene is in the room: its point `target` at `place`, turned about the vertical, `scale` times as large. The scene's z
 // is up, the room's y; the scene's y leads away from the one who looks along the room's -z.
 export class Placement {

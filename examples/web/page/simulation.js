@@ -5,12 +5,6 @@ const FIELDS = [['vertices', Float32Array, 12], ['triangles', Uint32Array, 3], [
 const VIEW_FLOATS = 46;
 export const PROGRAMS = ['material', 'lens', 'shadow'];
 
-export async function unpack(base64) {
-  const packed = Uint8Array.from(atob(base64), c => c.charCodeAt(0));
-  const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream('gzip'));
-  return new Uint8Array(await new Response(stream).arrayBuffer());
-}
-
 export class Simulation {
   // Bytes of the module; `say` receives what it prints.
   static async load(bytes, say) {

@@ -1,9 +1,10 @@
 // Runs the session: steps of a millisecond against the clock, in slices, between which messages are heard. The page asks for
 // each picture; its buffers go to and fro.
 import packed from 'suturing-module';
+import { unpack } from './packing.js';
 import { FINEST, choose } from './resolution.js';
 import { StepClock } from './step_clock.js';
-import { Simulation, unpack } from './simulation.js';
+import { Simulation } from './simulation.js';
 
 const SLICE = 6; // ms of steps between messages
 const PROBE = 50; // steps whose time is taken together
@@ -118,13 +119,13 @@ export const heard = {
   pose({ side, position, orientation, jaw, clutched, seconds }) {
     simulation.calls.page_pose(side, ...position, ...orientation, jaw, clutched ? 1 : 0, seconds);
   },
-  // The log as it is; `end` makes it whole, and no step follows.
-  log({ end }) {
+  // The log as it is; `end` makes it whole, and no step follows. `shares` is handed back.
+  log({ end, shares }) {
     if (end && !ended) {
       simulation.end();
       ended = true;
     }
-    postMessage({ log: { blob: simulation.log(), hashes: simulation.hashes() } });
+    postMessage({ log: { blob: simulation.log(), hashes: simulation.hashes(), shares } });
   },
 };
 
