@@ -200,11 +200,15 @@ def check_offset(page, c):
 
 
 def check_kept_offset(page, length):
-    """Opened once more, the page has it; a number in the form is within its limits."""
+    """Opened once more, the page has it; a number in the form is within its limits, and keys that are pressed in it do nothing else."""
     assert page.run("suturing.settings.rightLength") == length and page.run("document.getElementById('rightLength').value") == f"{length:.0f}"
     for typed, kept in (("100", 100), ("1000", 300), ("", 120)):
         page.run(f"(box => {{ box.value = '{typed}'; box.dispatchEvent(new Event('change')); }})(document.getElementById('leftLength'))")
         assert page.run("[suturing.settings.leftLength, JSON.parse(localStorage.getItem('suturing')).leftLength]") == [kept, kept], typed
+    page.run("document.getElementById('leftLength').focus()")
+    for kind in ("keyDown", "keyUp"):
+        page.key(kind, "3")
+    assert not page.run("suturing.renderer.showsTension"), "a digit in the form changes the picture"
 
 
 def panel_rows(page, folder, name):

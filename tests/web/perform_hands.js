@@ -36,16 +36,16 @@
   }
 
   const performer = window.performer = {
-    ended: false, frames: 0, seconds: 0, film: { begin: 0, end: Infinity, every: Infinity }, pictures: [],
+    ended: false, frames: 0, seconds: 0, seed: null, film: { begin: 0, end: Infinity, every: Infinity }, pictures: [],
     begin(seed) {
       const page = window.suturing;
       page.captions.begin();
-      page.headset.renew();
       page.pause(true);
       drawSome(page.renderer);
       this.next = this.film.begin;
-      page.send({ name: 'perform', seed });
+      this.seed = seed;
       window.standIn.before = () => new Promise(done => {
+        if (this.seconds === 0) this.beginSession();
         this.takePicture();
         page.hearWanted = wanted => {
           this.lead(wanted);
@@ -58,6 +58,15 @@
         page.send({ name: 'steps', count });
         page.send({ name: 'wanted' });
       });
+    },
+    // At the start of a frame, so that each run has the same frames; until the first step the headset forgets when its last one was.
+    beginSession() {
+      const page = window.suturing;
+      page.headset.last = null;
+      if (this.seed === null) return;
+      page.headset.renew();
+      page.send({ name: 'perform', seed: this.seed });
+      this.seed = null;
     },
     askForPicture() {
       if (this.seconds < Math.max(this.next, 2e-3 * STEPS) || this.seconds > this.film.end) return; // by then the page shows this session

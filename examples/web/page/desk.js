@@ -124,7 +124,9 @@ export class Desk {
 
   key(event) {
     const key = event.key.length === 1 ? event.key.toLowerCase() : event.key;
-    const inButton = event.target.closest && event.target.closest('button');
+    const isIn = kind => event.target.closest && event.target.closest(kind);
+    if (isIn('input[type=number]')) return; // digits and arrows are its own
+    const inButton = isIn('button');
     if (event.altKey || event.ctrlKey || event.metaKey || (inButton && (key === ' ' || key === 'Enter' || key === 'Tab'))) return;
     if (key === 'Tab' && !this.taken) return; // from button to button, as on any page
     if (!event.repeat) {
