@@ -84,7 +84,8 @@ def main():
 
     failed = 0
     with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool, out.open("a") as file:
-        for row in pool.map(run, jobs):
+        for future in concurrent.futures.as_completed([pool.submit(run, job) for job in jobs]):
+            row = future.result()
             if row is None:
                 continue
             file.write(json.dumps(row) + "\n")

@@ -127,7 +127,8 @@ def main():
         return perform(surgeon, *job) if time.monotonic() - start < options.seconds else None
 
     with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool, options.out.open("a") as file:
-        for row in pool.map(run, jobs):
+        for future in concurrent.futures.as_completed([pool.submit(run, job) for job in jobs]):
+            row = future.result()
             if row is not None:
                 file.write(json.dumps(row) + "\n")
                 file.flush()
