@@ -11,6 +11,8 @@ import concurrent.futures
 import json
 import os
 import pathlib
+import resource
+import signal
 import subprocess
 import sys
 import time
@@ -40,6 +42,13 @@ def cells():
             yield "square", friction, SEATING, f"material={material}"
 
 
+MOST_CPU = 120  # s: a knot that takes more is given up
+
+
+def limit_cpu():
+    resource.setrlimit(resource.RLIMIT_CPU, (MOST_CPU, MOST_CPU + 5))
+
+
 def key_of(row):
     return row["knot"], row["friction"], row["force"], row["seed"], row["variant"]
 
@@ -47,7 +56,9 @@ def key_of(row):
 def run_job(executable, job):
     knot, friction, force, seed, variant = job
     command = [executable, knot, str(force), str(friction), str(seed)] + variant.split()
-    done = subprocess.run(command, capture_output=True, text=True)
+    done = subprocess.run(command, capture_output=True, text=True, preexec_fn=limit_cpu)
+    if done.returncode == -signal.SIGXCPU:
+        return {"knot": knot, "friction": friction, "force": force, "seed": seed, "variant": variant, "end": "given up"}
     if done.returncode != 0:
         return {"knot": knot, "friction": friction, "force": force, "seed": seed, "variant": variant,
                 "end": "failed", "message": done.stderr.strip()}

@@ -93,7 +93,7 @@ def print_table(runs):
 
 def main():
     runs = [json.loads(line) for line in pathlib.Path(sys.argv[1]).read_text().splitlines()]
-    runs = [r for r in runs if r["end"] not in ("failed", "stuck", "not seated")]
+    runs = [r for r in runs if r["end"] not in ("failed", "given up", "stuck", "not seated")]
     figure, (left, right) = plt.subplots(1, 2, figsize=(9.5, 4.4), width_ratios=(1.0, 1.2))
     draw_ratios(left, read_ratios())
     draw_knots(right, runs)
