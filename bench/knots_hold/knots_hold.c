@@ -3,8 +3,9 @@
  *
  *     knots_hold <knot> <seating force, N> <friction> <seed> [name=value ...] [limited] [trace=file]
  *
- * Names: finest (m, of the mesh), step (s), stiffness (of contacts, N/m), growth (m/s), limit (N). Seed 0 is the knot
- * as it is laid out, others are disturbed. The trace has a line a step: growth, tension, slip, line in the knot. */
+ * Names: material (silk, polyglactin, polypropylene or nylon, each of size 3-0), bending (EI, N m^2), yield (1/m), hardening,
+ * relaxation (ratio), relaxation_time (s), finest (m, of the mesh), step (s), stiffness (of contacts, N/m), growth (m/s),
+ * limit (N). Later ones change what a material sets. Seed 0 is the knot as it is laid out, others are disturbed. The trace has a line a step: growth, tension, slip, line in the knot. */
 #include <locale.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -25,17 +26,43 @@ static int find_kind(const char *name)
     return kind;
 }
 
+/* Shapes and mesh follow the thread's radius. */
+static bool set_material(held_knot_options *o, const char *name)
+{
+    static const char *const names[] = {"silk", "polyglactin", "polypropylene", "nylon"};
+    vbss_thread_config *thread = &o->tied.thread;
+    const double before = thread->radius;
+    for (int32_t i = 0; i < 4; i++) {
+        if (strcmp(names[i], name) == 0) {
+            bool good = vbss_thread_config_suture(thread, VBSS_THREAD_MATERIAL_SILK + i,
+                                                  VBSS_THREAD_USP_3_0) == VBSS_OK;
+            o->tied.knot.size *= thread->radius / before;
+            o->tied.knot.finest *= thread->radius / before;
+            return good;
+        }
+    }
+    return false;
+}
+
 /* False when there is no such option. */
 static bool set_option(held_knot_options *o, const char *text)
 {
     const struct {
         const char *name;
         double *value;
-    } options[] = {{"finest", &o->tied.knot.finest},
+    } options[] = {{"bending", &o->tied.thread.bending_stiffness},
+                   {"yield", &o->tied.thread.yield_curvature},
+                   {"hardening", &o->tied.thread.yield_hardening},
+                   {"relaxation", &o->tied.thread.relaxation_ratio},
+                   {"relaxation_time", &o->tied.thread.relaxation_time},
+                   {"finest", &o->tied.knot.finest},
                    {"step", &o->step},
                    {"stiffness", &o->tied.scene.contact_stiffness},
                    {"growth", &o->growth},
                    {"limit", &o->limit}};
+    if (strncmp(text, "material=", 9) == 0) {
+        return set_material(o, text + 9);
+    }
     if (strcmp(text, "limited") == 0) { /* as scenes are by default */
         vbss_scene_config scene;
         (void)vbss_scene_config_init(&scene, sizeof scene);

@@ -11,6 +11,7 @@ static void add_cases(bench *b)
         add_cantilever_cases,
         add_growth_cases,
         add_stage_cases,
+        add_option_cases,
     };
     for (size_t i = 0; i < sizeof groups / sizeof groups[0]; i++) {
         groups[i](b);

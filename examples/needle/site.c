@@ -8,6 +8,11 @@ enum { CUTS = 4 }; /* of the thread: both tails, and two more */
 
 /* ---- made */
 
+static void choose(double *value, double wanted)
+{
+    *value = wanted > 0.0 ? wanted : *value;
+}
+
 static vbss_result make_scene(site *s, const site_plan *plan)
 {
     vbss_scene_config c;
@@ -20,6 +25,7 @@ static vbss_result make_scene(site *s, const site_plan *plan)
     c.floor_normal[1] = 0.0;
     c.floor_normal[2] = 1.0;
     c.floor_height = s->floor;
+    choose(&c.thread_friction, plan->material.friction);
     return vbss_scene_create(s->rig.context, &c, &s->rig.scene);
 }
 
@@ -87,6 +93,9 @@ static vbss_result add_thread(site *s, const site_plan *plan)
     c.damping = 2.0;
     c.drag = 1.0;
     c.cut_capacity = CUTS;
+    choose(&c.bending_stiffness, plan->material.bending_stiffness);
+    choose(&c.yield_curvature, plan->material.yield_curvature);
+    choose(&c.yield_hardening, plan->material.yield_hardening);
     TRY(vbss_thread_create(s->rig.context, &c, &s->rig.thread));
     s->rig.nodes = segments + 1;
     s->rig.reversed = true;

@@ -23,10 +23,18 @@ typedef struct site {
 /* Bits: what is made, and lies where it would, but is not in the scene. */
 enum { SITE_NO_THREAD = 1, SITE_NO_DRAIN = 2, SITE_NO_NEEDLE = 4 };
 
+/* Of the thread, in place of the defaults; 0: the default. */
+typedef struct site_material {
+    double bending_stiffness;                /* N m^2 */
+    double friction;                         /* with itself */
+    double yield_curvature, yield_hardening; /* 1/m; a fraction of the bending stiffness */
+} site_material;
+
 typedef struct site_plan {
     uint32_t segments;                 /* of the thread */
     const vbss_solver_options *solver; /* NULL: the defaults */
     uint32_t without;                  /* SITE_NO_ bits; who stitches needs it all */
+    site_material material;
 } site_plan;
 
 /* Needle's middle on the floor, and how far it is turned there. */

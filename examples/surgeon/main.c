@@ -5,6 +5,7 @@
  *             [-e seconds between them] [-v] [-j file that gets a line of JSON more for each seed]
  *             [-k expert|resident|novice: whose hands] [-m withdrawn|missed|torn|idle|slack|kept: a mistake]
  *             [-a folder for pictures of the key stages] [--calibrate] [--coach: its sentences, too]
+ *             [-x bending|friction|yield|hardening=number, of the thread: EI in N m^2, with itself, 1/m, fraction of EI]
  *
  * With --calibrate both budgets are those of this core, so a seed does not do the same everywhere.
  * The log is played back. Tells of each seed what came of it. Exits 0 if in all seeds the hands have made the last stage that was
@@ -26,7 +27,8 @@ static int usage(void)
                     "pictures] [-e seconds between them] [-j file for lines of JSON] [-k "
                     "expert|resident|novice] [-m mistake] "
                     "[-a folder for the "
-                    "key stages] [--calibrate] [--coach] [-v]\n");
+                    "key stages] [-x bending|friction|yield|hardening=number] [--calibrate] "
+                    "[--coach] [-v]\n");
     return 2;
 }
 
@@ -39,6 +41,26 @@ static surgeon_stage after(const char *name)
         }
     }
     return SURGEON_DONE;
+}
+
+/* False if there is no such property, or its number is not above 0. */
+static bool set_material(site_material *m, const char *word)
+{
+    const struct {
+        const char *name;
+        double *value;
+    } properties[] = {{"bending=", &m->bending_stiffness},
+                      {"friction=", &m->friction},
+                      {"yield=", &m->yield_curvature},
+                      {"hardening=", &m->yield_hardening}};
+    for (size_t i = 0; i < sizeof properties / sizeof properties[0]; i++) {
+        const size_t length = strlen(properties[i].name);
+        if (strncmp(word, properties[i].name, length) == 0) {
+            *properties[i].value = strtod(word + length, NULL);
+            return *properties[i].value > 0.0;
+        }
+    }
+    return false;
 }
 
 typedef struct tally {
@@ -124,6 +146,11 @@ static bool read_options(int count, char **words, watch *w, tally *t, bool *whol
             break;
         case 'a':
             w->album = words[i];
+            break;
+        case 'x':
+            if (!set_material(&w->options.material, words[i])) {
+                return false;
+            }
             break;
         case 'e':
             w->every = strtod(words[i], NULL);

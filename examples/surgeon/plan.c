@@ -7,10 +7,11 @@ enum { SEGMENTS = 300 }; /* of the thread: SEGMENT each */
 
 void surgeon_plan(const surgeon_options *o, stitch_plan *plan)
 {
-    *plan = (stitch_plan){
-        .site = {.segments = o->segments > 0 ? o->segments : SEGMENTS, .solver = o->solver},
-        .free_left = true,
-        .skill = o->skill};
+    *plan = (stitch_plan){.site = {.segments = o->segments > 0 ? o->segments : SEGMENTS,
+                                   .solver = o->solver,
+                                   .material = o->material},
+                          .free_left = true,
+                          .skill = o->skill};
 }
 
 task_plan surgeon_task_plan(const surgeon_options *o)

@@ -56,6 +56,7 @@ typedef struct surgeon_options {
     surgeon_mistake mistake;
     bool coaching;   /* the session coaches; with a mistake it does in any case */
     const char *log; /* may be NULL */
+    site_material material;
 } surgeon_options;
 
 /* What there is before the first step. (plan.c) */

@@ -22,6 +22,7 @@
 #include "fixtures/needle_scenes.h"
 #include "fixtures/paper_needle_scenes.h"
 #include "fixtures/rod.h"
+#include "fixtures/rolled_scene.h"
 #include "fixtures/scene_scenes.h"
 #include "fixtures/session_scenes.h"
 #include "fixtures/stitch_scenes.h"
@@ -276,6 +277,20 @@ static void run_scene(scene_scene_kind kind, uint64_t *hashes, size_t count)
             must(scene_scene_step(scene, kind));
         }
         must(vbss_scene_get_hash(scene, &hashes[i]));
+    }
+    must(vbss_context_destroy(context));
+}
+
+/* Twist, and plastic and viscous bending; what has neither is in the other scenes. */
+static void run_scene_roll(uint64_t *hashes, size_t count)
+{
+    vbss_context *context;
+    rolled_scene scene;
+    must(vbss_context_create(NULL, &context));
+    must(rolled_scene_create(context, &scene));
+    for (size_t i = 0; i < count; i++) {
+        must(rolled_scene_step(&scene));
+        must(vbss_scene_get_hash(scene.scene, &hashes[i]));
     }
     must(vbss_context_destroy(context));
 }
@@ -715,6 +730,7 @@ const golden_scene golden_scenes[] = {
     {"thread-paper", 20, 2, run_thread_paper},
     {"scene-knot", 64, 2, run_scene_knot}, /* tight at 58 */
     {"scene-tools", 80, 6, run_scene_tools},
+    {"scene-roll", 60, 18, run_scene_roll},             /* the section is held from 16 to 45 */
     {"scene-mesh", 60, 2, run_scene_mesh},              /* cut at 44 */
     {"graspers", TOOL_RUN_STEPS / 5, 12, run_graspers}, /* both hold at 11 */
     {"graspers-paper", 30, 12, run_graspers_paper},     /* then it loses the thread */

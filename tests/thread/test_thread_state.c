@@ -75,10 +75,34 @@ static void finite_absurd_state_is_reported_by_step(void **state)
     }
 }
 
+/* The parameters of memory of bends do nothing while it is off; and the golden scenes thread-release, thread-tugged and
+ * thread-cut have the hashes that they had before memory and twist existed. */
+static void options_that_are_off_change_no_bit(void **state)
+{
+    (void)state;
+    uint64_t hashes[2];
+    for (int k = 0; k < 2; k++) {
+        fixture f;
+        begin(&f);
+        if (k == 1) {
+            f.config.yield_hardening = 0.3;
+            f.config.relaxation_time = 7.0;
+        }
+        vbss_thread *thread = make(&f);
+        (void)hold(thread, VBSS_THREAD_ATTACHMENT_CLAMP, 0, place_of(thread, 0));
+        steps(thread, 200, 1e-3);
+        assert_true(place_of(thread, 12).y < -1e-2);
+        hashes[k] = hash_of(thread);
+        end(&f);
+    }
+    assert_true(hashes[0] == hashes[1]);
+}
+
 int test_thread_state(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(hash_covers_all_state),
+        cmocka_unit_test(options_that_are_off_change_no_bit),
         cmocka_unit_test(finite_absurd_state_is_reported_by_step),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -6,6 +6,7 @@
 #include "thread/rig.h"
 
 static const double bending = 1e-8, torsion = 0.7e-8; /* N m^2 */
+static const double axial = 427.0;                    /* N */
 
 enum { MAX_NODES = 121 };
 
@@ -20,6 +21,7 @@ static vbss_thread_config held_config(double length, uint32_t segments)
     vbss_thread_config c = rig_config(length, segments);
     c.bending_stiffness = bending;
     c.torsional_stiffness = torsion;
+    c.axial_stiffness = axial;
     c.gravity[1] = 0.0;
     return c;
 }
@@ -115,15 +117,14 @@ static void twisted_ring_buckles_at_michells_twist(void **state)
     assert_true(growth_of_ring(-1.02 * critical, VBSS_THREAD_BENDING_SPLINE) > 100.0);
 }
 
-static double growth_of_straight_thread(double torque)
+static double growth_of_straight_thread(uint32_t segments, double length, double tension,
+                                        double torque)
 {
-    enum { SEGMENTS = 40 };
-    vec3 x[SEGMENTS + 1];
-    const double length = 0.03;
-    for (int i = 0; i <= SEGMENTS; i++) {
-        x[i] = vec3_make(length * i / SEGMENTS, 0.0, 0.0);
+    vec3 x[MAX_NODES];
+    for (uint32_t i = 0; i <= segments; i++) {
+        x[i] = vec3_make(length * (1.0 + tension / axial) * i / segments, 0.0, 0.0);
     }
-    perturbed p = {SEGMENTS, length, torque * length / torsion, 1.0, VBSS_THREAD_BENDING_SPLINE,
+    perturbed p = {segments, length, torque * length / torsion, 1.0, VBSS_THREAD_BENDING_SPLINE,
                    x,        0.0};
     return growth(&p);
 }
@@ -134,9 +135,55 @@ static void straight_thread_writhes_at_greenhills_torque(void **state)
     (void)state;
     const double critical = 2.0 * 4.493409457909064 * bending / 0.03;
     for (int sign = -1; sign <= 1; sign += 2) {
-        assert_true(growth_of_straight_thread(0.98 * sign * critical) < 10.0);
-        assert_true(growth_of_straight_thread(1.02 * sign * critical) > 100.0);
+        assert_true(growth_of_straight_thread(40, 0.03, 0.0, 0.98 * sign * critical) < 10.0);
+        assert_true(growth_of_straight_thread(40, 0.03, 0.0, 1.02 * sign * critical) > 100.0);
     }
+}
+
+/* Greenhill 1883 with a tension T: a long thread writhes at M^2 = 4 EI T. Deflections y + i z are sums of 1, s,
+ * and exp(i p s) times cos(q s) and i sin(q s), with p = M / (2 EI) and q^2 = p^2 - T / EI. This is the determinant of
+ * the conditions at two clamps. */
+static double clamped_determinant(double torque, double tension, double length)
+{
+    const double half = 0.5 * length, p = 0.5 * torque / bending,
+                 q = sqrt(p * p - tension / bending);
+    double sp, cp, sq, cq;
+    vbss_sincos(p * half, &sp, &cp);
+    vbss_sincos(q * half, &sq, &cq);
+    /* of both functions: the value across the even one, and both parts of the slope */
+    const double value[2] = {sp * cq, cp * sq};
+    const double slope[2][2] = {{-q * sq * cp - p * cq * sp, -p * sq * cp - q * cq * sp},
+                                {-q * sq * sp + p * cq * cp, -p * sq * sp + q * cq * cp}};
+    return slope[0][0] * (value[1] - half * slope[1][1]) -
+           slope[0][1] * (value[0] - half * slope[1][0]);
+}
+
+/* The first torque above that of a long thread at which the determinant vanishes. */
+static double clamped_threshold(double tension, double length)
+{
+    const double limit = 2.0 * sqrt(bending * tension), part = 1e-4;
+    double low = limit * (1.0 + part), high = low;
+    const bool sign = clamped_determinant(low, tension, length) > 0.0;
+    while ((clamped_determinant(high, tension, length) > 0.0) == sign) {
+        low = high;
+        high += part * limit;
+    }
+    for (int i = 0; i < 40; i++) {
+        const double middle = 0.5 * (low + high);
+        const bool same = (clamped_determinant(middle, tension, length) > 0.0) == sign;
+        *(same ? &low : &high) = middle;
+    }
+    return low;
+}
+
+static void tense_thread_writhes_at_greenhills_torque(void **state)
+{
+    (void)state;
+    const double tension = 4e-4, length = 0.1, limit = 2.0 * sqrt(bending * tension);
+    const double critical = clamped_threshold(tension, length);
+    expect_near(1.0, critical / limit, 0.015); /* long: 20 sqrt(EI/T) */
+    assert_true(growth_of_straight_thread(120, length, tension, 0.98 * critical) < 10.0);
+    assert_true(growth_of_straight_thread(120, length, tension, 1.02 * critical) > 100.0);
 }
 
 /* ---- the helix */
@@ -195,6 +242,7 @@ int test_twist_equilibria(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(twisted_ring_buckles_at_michells_twist),
         cmocka_unit_test(straight_thread_writhes_at_greenhills_torque),
+        cmocka_unit_test(tense_thread_writhes_at_greenhills_torque),
         cmocka_unit_test(helix_needs_force_and_moment_of_love),
     };
     return cmocka_run_group_tests_name("thread.twist_equilibria", tests, NULL, NULL);

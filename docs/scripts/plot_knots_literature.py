@@ -1,0 +1,106 @@
+#!/usr/bin/python3
+"""Draws docs/pictures/knots-literature.svg: ratios of the first table of docs/notebook/knots-literature.md, and the forces that knots of
+sutures hold, from the lines that bench/knots_hold/materials.py has written. Prints the table of these knots.
+
+    plot_knots_literature.py docs/notebook/knots-literature.jsonl docs/pictures/knots-literature.svg
+"""
+import json
+import pathlib
+import re
+import statistics
+import sys
+
+import matplotlib
+
+matplotlib.use("Agg")
+matplotlib.rcParams["svg.hashsalt"] = "knots-literature"
+import matplotlib.pyplot as plt  # noqa: E402  (the backend comes first)
+
+PAGE = pathlib.Path(__file__).resolve().parent.parent / "notebook" / "knots-literature.md"
+KNOTS = ["square", "granny", "surgeon's", "fls"]
+MATERIALS = ["silk", "polyglactin", "polypropylene", "polypropylene, plastic", "nylon", "nylon, plastic"]
+COLOURS = ["#0072B2", "#56B4E9", "#D55E00", "#E69F00", "#009E73", "#CC79A7"]
+# Whether such knots break before they slip: Text Res J 71:435 (2001) for silk, Vet Surg 18:269 (1989) for the others.
+PUBLISHED = {("square", "silk"): True, ("square", "polyglactin"): False, ("square", "polypropylene"): False,
+             ("square", "nylon"): False, ("surgeon's", "polyglactin"): False, ("surgeon's", "polypropylene"): False,
+             ("surgeon's", "nylon"): False, ("fls", "silk"): True, ("fls", "polyglactin"): True,
+             ("fls", "polypropylene"): True, ("fls", "nylon"): False}
+LEAST, LIMIT, ABOVE = 1e-2, 10.0, 16.0  # N: what is below is drawn there; where the test ends; where PUBLISHED is drawn
+FRICTION, SEATING = 0.3, 5.0
+
+
+def read_ratios():
+    """Name, least and largest ratio of each row that has one."""
+    rows = []
+    for line in PAGE.read_text().splitlines():
+        cells = [cell.strip() for cell in line.strip("|").split("|")]
+        if len(cells) == 6 and re.match(r"-?[\d.]+( to -?[\d.]+)?$", cells[2].replace("−", "-")):
+            ratio = [float(x) for x in cells[2].replace("−", "-").split(" to ")]
+            rows.append((cells[0], ratio[0], ratio[-1]))
+    return rows
+
+
+def name_of(row):
+    material = re.search(r"material=(\w+)", row["variant"])[1]
+    return material + (", plastic" if "yield=" in row["variant"] else "")
+
+
+def draw_ratios(axes, rows):
+    for i, (_, low, high) in enumerate(reversed(rows)):
+        axes.plot([low, high], [i, i], "o-", color="#0072B2", ms=4, lw=1.5)
+    axes.axvline(1.0, color="black", lw=0.8)
+    axes.set_yticks(range(len(rows)), [row[0] for row in reversed(rows)], fontsize=6)
+    axes.set_xlabel("ours over published", fontsize=8)
+    axes.tick_params(axis="x", labelsize=7)
+    axes.grid(True, axis="x", lw=0.3)
+
+
+def draw_knots(axes, runs):
+    for m, material in enumerate(MATERIALS):
+        for k, knot in enumerate(KNOTS):
+            forces = [min(r["holds_N"], LIMIT) for r in runs
+                      if (name_of(r), r["knot"], r["friction"], r["force"]) == (material, knot, FRICTION, SEATING)]
+            axes.plot([k + 0.13 * (m - 2.5)] * len(forces), [max(f, LEAST) for f in forces], "o", color=COLOURS[m], ms=4)
+        axes.plot([], [], "o", color=COLOURS[m], ms=4, label=material)
+        for k, knot in enumerate(KNOTS):
+            if (knot, material) in PUBLISHED:
+                axes.plot(k + 0.13 * (m - 2.5), ABOVE, "^" if PUBLISHED[knot, material] else "x", color=COLOURS[m], ms=5)
+    axes.plot([], [], "^", color="black", ms=5, label="published: breaks before it slips")
+    axes.plot([], [], "x", color="black", ms=5, label="published: slips or unties first")
+    axes.axhline(LIMIT, color="black", lw=0.6, ls="--")
+    axes.set_yscale("log")
+    axes.set_ylim(0.8 * LEAST, 25.0)
+    axes.set_xticks(range(len(KNOTS)), ["square, 1=1", "granny, 1x1", "surgeon's, 2=1", "three throws, 2=1=1"], fontsize=7)
+    axes.set_xlim(-0.6, len(KNOTS) - 0.4)
+    axes.set_ylabel(f"held, N (friction {FRICTION}, seated with {SEATING:g} N; {LIMIT:g}: the test ends)", fontsize=7)
+    axes.legend(fontsize=6, loc="lower right")
+    axes.grid(True, axis="y", lw=0.3)
+
+
+def print_table(runs):
+    print("| knot | friction | seated, N | material | knots | held 10 N | force, N |\n|---|---|---|---|---|---|---|")
+    cells = {}
+    for r in runs:
+        cells.setdefault((r["knot"], r["friction"], r["force"], name_of(r)), []).append(r)
+    order = sorted(cells, key=lambda c: (KNOTS.index(c[0]), c[1], -c[2], MATERIALS.index(c[3])))
+    for cell in order:
+        forces = sorted(min(r["holds_N"], LIMIT) for r in cells[cell])
+        held = sum(f >= LIMIT for f in forces)
+        text = [f"≥ {f:g}" if f >= LIMIT else f"{f:.2g}" for f in (statistics.median(forces), forces[0], forces[-1])]
+        force = text[0] if len(forces) == 1 else f"{text[0]} ({text[1]} to {text[2]})"
+        print(f"| {cell[0]} | {cell[1]} | {cell[2]:g} | {cell[3]} | {len(forces)} | {held} | {force} |")
+
+
+def main():
+    runs = [json.loads(line) for line in pathlib.Path(sys.argv[1]).read_text().splitlines()]
+    runs = [r for r in runs if r["end"] not in ("failed", "given up", "stuck", "not seated")]
+    figure, (left, right) = plt.subplots(1, 2, figsize=(9.5, 4.4), width_ratios=(1.0, 1.2))
+    draw_ratios(left, read_ratios())
+    draw_knots(right, runs)
+    figure.tight_layout()
+    figure.savefig(sys.argv[2], metadata={"Date": None})
+    print_table(runs)
+
+
+if __name__ == "__main__":
+    main()
