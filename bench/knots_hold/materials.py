@@ -42,11 +42,11 @@ def cells():
             yield "square", friction, SEATING, f"material={material}"
 
 
-MOST_CPU = 120  # s: a knot that takes more is given up
+MAX_CPU = 120  # s: a knot that takes more is given up
 
 
 def limit_cpu():
-    resource.setrlimit(resource.RLIMIT_CPU, (MOST_CPU, MOST_CPU + 5))
+    resource.setrlimit(resource.RLIMIT_CPU, (MAX_CPU, MAX_CPU + 5))
 
 
 def key_of(row):

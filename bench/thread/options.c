@@ -85,7 +85,7 @@ typedef struct times {
 } times;
 
 static vbss_result step_once(const option_case *c, subject *s, bool with, uint32_t step, bool first,
-                             times *least)
+                             times *minimum)
 {
     const bench_clock clock = bench_system_clock();
     VBSS_TRY(drive(c, s, with, step));
@@ -93,17 +93,17 @@ static vbss_result step_once(const option_case *c, subject *s, bool with, uint32
     VBSS_TRY(vbss_thread_step(s->thread, STEP_S));
     const bench_interval taken = bench_interval_end(&clock, begin);
     const double cpu = 1e-3 * (double)taken.cpu_ns, wall = 1e-3 * (double)taken.wall_ns;
-    if (first || cpu < least->cpu_us[step]) {
-        least->cpu_us[step] = cpu;
+    if (first || cpu < minimum->cpu_us[step]) {
+        minimum->cpu_us[step] = cpu;
     }
-    if (first || wall < least->wall_us[step]) {
-        least->wall_us[step] = wall;
+    if (first || wall < minimum->wall_us[step]) {
+        minimum->wall_us[step] = wall;
     }
     return VBSS_OK;
 }
 
 static vbss_result repeat(const option_case *c, vbss_context *context, unsigned repetition,
-                          times least[2], uint64_t iterations[2])
+                          times minimum[2], uint64_t iterations[2])
 {
     subject subjects[2];
     for (int k = 0; k < 2; k++) {
@@ -112,7 +112,7 @@ static vbss_result repeat(const option_case *c, vbss_context *context, unsigned 
     for (uint32_t i = 0; i < STEPS; i++) {
         for (unsigned turn = 0; turn < 2; turn++) { /* who comes first changes with each step */
             const unsigned k = (turn + i + repetition) % 2;
-            VBSS_TRY(step_once(c, &subjects[k], k == 1, i, repetition == 0, &least[k]));
+            VBSS_TRY(step_once(c, &subjects[k], k == 1, i, repetition == 0, &minimum[k]));
         }
     }
     for (int k = 0; k < 2; k++) {
@@ -135,17 +135,17 @@ static double sum_of(const double *values)
 
 static vbss_result measure(const option_case *c, vbss_context *context, bench_result *result)
 {
-    static times least[2];
+    static times minimum[2];
     uint64_t iterations[2] = {0, 0};
     const unsigned repetitions = c->is_quick ? QUICK_REPETITIONS : REPETITIONS;
-    memset(least, 0, sizeof least);
+    memset(minimum, 0, sizeof minimum);
     for (unsigned r = 0; r < repetitions; r++) {
-        VBSS_TRY(repeat(c, context, r, least, iterations));
+        VBSS_TRY(repeat(c, context, r, minimum, iterations));
     }
-    bench_counter(result, "ratio", sum_of(least[1].cpu_us) / sum_of(least[0].cpu_us));
+    bench_counter(result, "ratio", sum_of(minimum[1].cpu_us) / sum_of(minimum[0].cpu_us));
     bench_counter(result, "iteration_ratio", (double)iterations[1] / (double)iterations[0]);
-    bench_counter(result, "without_us", sum_of(least[0].cpu_us) / STEPS);
-    bench_trial_steps(result, least[1].cpu_us, least[1].wall_us, STEPS);
+    bench_counter(result, "without_us", sum_of(minimum[0].cpu_us) / STEPS);
+    bench_trial_steps(result, minimum[1].cpu_us, minimum[1].wall_us, STEPS);
     bench_simulated_step(result, STEP_S * 1e6);
     return VBSS_OK;
 }

@@ -172,8 +172,8 @@ static vbss_result move_hand(vessel_scene *s, int k, double force)
     const double *f = reaction.force;
     s->force[k] = sqrt(f[0] * f[0] + f[1] * f[1] + f[2] * f[2]);
     const double lacking = (force - s->force[k]) / force; /* slower as it comes near */
-    const double way = speed * VESSEL_STEP * fmax(-1.0, fmin(1.0, 5.0 * lacking));
-    s->at[k][0] += k == 0 ? -way : way;
+    const double displacement = speed * VESSEL_STEP * fmax(-1.0, fmin(1.0, 5.0 * lacking));
+    s->at[k][0] += k == 0 ? -displacement : displacement;
     return vbss_thread_set_attachment_target(s->thread, s->hands[k], s->at[k], NULL);
 }
 
