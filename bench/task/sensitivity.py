@@ -37,7 +37,6 @@ PATTERNS = {
     "seconds": r"after ([\d.]+) s; the session",
     "failure": r"the session: phase '[^']*', (.*)",
     "slit_mm": r"slit ([\d.]+) mm in the end",
-    "pull_test": r"tightness by the pull test: ([^,]+),",
     "knot": r"knot: (\S+), ",
     "tied": r"(\d+) throws tied",
     "seated": r"throws tied, (\d+) seated",
@@ -83,12 +82,12 @@ def is_tied(row):
 
 def print_tables(rows):
     cells = {name: [row for row in rows if row["setting"] == name] for name in SETTINGS}
-    print("| setting | seeds | complete | three throws tied | three seated | holds the pull test | slit, mm, median | score, median |")
-    print("|---|---|---|---|---|---|---|---|")
+    print("| setting | seeds | complete | three throws tied | three seated | slit, mm, median | score, median |")
+    print("|---|---|---|---|---|---|---|")
     for name, cell in cells.items():
         if cell:
             print(f'| {name} | {len(cell)} | {sum(r["complete"] for r in cell)} | {sum(map(is_tied, cell))} | '
-                  f'{sum((r["seated"] or 0) >= 3 for r in cell)} | {sum(r["pull_test"] == "tight" for r in cell)} | '
+                  f'{sum((r["seated"] or 0) >= 3 for r in cell)} | '
                   f'{median_of(cell, "slit_mm")} | {median_of(cell, "score")} |')
     print("\n| unknown | spread of the share complete | standard error |\n|---|---|---|")
     for unknown, names in UNKNOWN.items():
