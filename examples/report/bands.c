@@ -122,7 +122,8 @@ static void put_outcome(page *p, const facts *f)
 {
     const measured *m = &f->measured;
     uint32_t flags = m->report.flags;
-    bool final = (flags & VBSS_METRICS_FLAG_FINAL) != 0 && !page_may_go_on(f);
+    bool final = (flags & VBSS_METRICS_FLAG_FINAL) != 0 && !page_may_go_on(f) &&
+                 (flags & VBSS_METRICS_FLAG_ASSISTED) == 0;
     bool own = f->again.session.measured; /* its first hole is that in, whichever side */
     put_group(p, "Outcome");
     put_banded(p, row_of("time", "s", f->steps > 0, m->report.time, 1, 600.0), 0.0, 112.0, 421.0,

@@ -47,6 +47,7 @@ static const char *const remedies[] = {
     [VBSS_METRICS_PENALTY_BROKEN] = "Cut only after the third throw, and pull less hard",
     [VBSS_METRICS_PENALTY_INCOMPLETE] = "Go on until both tails are cut",
     [VBSS_METRICS_PENALTY_TIME_LOST] = "Use limits of work that fit the machine",
+    [VBSS_METRICS_PENALTY_ASSISTED] = "Go without the aids",
 };
 enum { KINDS = sizeof remedies / sizeof remedies[0] };
 

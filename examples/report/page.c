@@ -47,6 +47,17 @@ static void put_lost_time(page *p, const facts *f)
         r->time, r->time_lost, 100.0 * r->time_lost / r->time, r->time_simulated);
 }
 
+/* Which aids, and when, is in the list of events. */
+static void put_assistance(page *p, const facts *f)
+{
+    if ((f->measured.report.flags & VBSS_METRICS_FLAG_ASSISTED) != 0) {
+        put(p,
+            "<p class=\"banner\" role=\"note\"><strong>The trainee was assisted.</strong> The "
+            "trial gets no score. Time, forces and motion are those of assisted hands and do not "
+            "compare with those of other trials.</p>\n");
+    }
+}
+
 void page_head(page *p, const facts *f)
 {
     const char *name = file_name(f->path);
@@ -64,6 +75,7 @@ void page_head(page *p, const facts *f)
     put_text(p, name);
     put(p, "</bdi>: %llu steps, %.2f s on the session clock, %.2f s of it simulated</p>\n",
         (unsigned long long)f->steps, facts_end(f), facts_end(f) - f->check.time_lost);
+    put_assistance(p, f);
     put_lost_time(p, f);
     put_faults(p, f);
     put(p, "</header>\n<main>\n");

@@ -105,7 +105,9 @@ static void put_score_card(page *p, const facts *f)
 {
     const vbss_metrics_report *r = &f->measured.report;
     put(p, "<div class=\"card\"><p class=\"label\">Score</p><p class=\"big");
-    if (page_may_go_on(f)) {
+    if ((r->flags & VBSS_METRICS_FLAG_ASSISTED) != 0) {
+        put(p, "\">none</p><p>the trainee was assisted</p></div>\n");
+    } else if (page_may_go_on(f)) {
         put(p, "\">unknown</p><p>how the trial went on is not in the log</p></div>\n");
     } else if ((r->flags & VBSS_METRICS_FLAG_FINAL) != 0) {
         put(p, "\">%.1f</p><p>of 600, in the style of MISTELS</p></div>\n", r->score);

@@ -186,6 +186,22 @@ static void words_of_knot(const vbss_session_event *e, char words[TASK_WORDS])
     }
 }
 
+static const char *name_of_aid(uint32_t aid)
+{
+    static const char *const names[] = {"the needle stays on its arc",
+                                        "the limb is wound at one radius",
+                                        "the roll snaps",
+                                        "slow motion",
+                                        "hands do not sink",
+                                        "an idle tool stays"};
+    for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
+        if (aid == 1U << i) {
+            return names[i];
+        }
+    }
+    return "unknown";
+}
+
 void task_words(const vbss_session_event *e, char words[TASK_WORDS])
 {
     switch (e->kind) {
@@ -202,6 +218,10 @@ void task_words(const vbss_session_event *e, char words[TASK_WORDS])
     case VBSS_SESSION_EVENT_GOAL:
     case VBSS_SESSION_EVENT_MISTAKE:
         task_words_of_coach(e, words);
+        return;
+    case VBSS_SESSION_EVENT_AID:
+        snprintf(words, TASK_WORDS, "aid %s: %s", e->undone != 0 ? "off" : "on, no score",
+                 name_of_aid(e->number));
         return;
     case VBSS_SESSION_EVENT_TIME_LOST:
         snprintf(words, TASK_WORDS, "%s simulated time is lost: %.3f s",

@@ -1,5 +1,6 @@
 /* What stands on the picture of a scene that is played. */
 #include <stdio.h>
+#include <string.h>
 
 #include "playing.h"
 
@@ -12,6 +13,8 @@ static const char *const help[] = {
     "arrows, page up, page down, Home: the camera",
     "1 contacts  2 forces  3 tension  4 knot  5 task  6 step times  7 coach",
     "P pause, . a frame on    R from the beginning    H this    Esc",
+    "aids, without a score: F2 needle's arc  F3 wind  F4 snap roll",
+    "F5 slow motion  F6 no sinking  F7 idle tool stays",
     "gamepad: sticks move, roll; left bumper: turn; right trigger: jaws;",
     "right bumper: the other tool; left trigger: finer",
 };
@@ -82,6 +85,27 @@ static void put_devices(playing *p)
     }
 }
 
+/* An assisted trial gets no score, whether its aids are on or off. */
+static void put_aids(playing *p)
+{
+    static const char *const names[] = {"needle's arc", "wind",       "snap roll",
+                                        "slow motion",  "no sinking", "idle tool stays"};
+    char line[200] = "assisted, no score:";
+    size_t used = strlen(line);
+    if (!p->live.aided) {
+        return;
+    }
+    for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
+        if ((p->live.aids >> i & 1U) != 0) {
+            used += (size_t)snprintf(line + used, sizeof line - used, "  %s", names[i]);
+        }
+    }
+    const float y = p->show.tall - SHOW_MARGIN - 1.1F * SHOW_LINE;
+    pen_box(&p->show.pen, 0.5F * SHOW_MARGIN, y - 1.4F * SHOW_TEXT, 480.0F, 2.0F * SHOW_TEXT,
+            PEN_SHADE);
+    pen_text(&p->show.pen, SHOW_MARGIN, y, SHOW_TEXT, PEN_YELLOW, line);
+}
+
 static void put_state(playing *p)
 {
     show *s = &p->show;
@@ -116,6 +140,7 @@ void captions_put(playing *p)
         put_tool(p);
     }
     put_state(p);
+    put_aids(p);
     if ((p->show.overlays & SHOW_HELP) != 0) {
         overlay_help(&p->show, help, (int)(sizeof help / sizeof *help));
     }

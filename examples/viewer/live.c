@@ -122,6 +122,56 @@ static vbss_result report_tool(const live *l, int side, const double at[3], cons
     return vbss_grasper_set_opening(tool, opening);
 }
 
+/* ---- aids */
+
+vbss_result live_toggle_aid(live *l, uint32_t aid)
+{
+    vbss_session_assistance a;
+    if (l->stage.rig->session == NULL) {
+        return VBSS_OK;
+    }
+    TRY(vbss_session_assistance_init(&a, sizeof a));
+    l->aids ^= aid;
+    l->aided = true;
+    a.aids = l->aids;
+    return vbss_session_set_assistance(l->stage.rig->session, &a);
+}
+
+static vbss_result give_hand(const live *l, int side, const double at[3], const double turned[4],
+                             double opening, bool is_origin)
+{
+    vbss_session_hand input;
+    TRY(vbss_session_hand_init(&input, sizeof input));
+    memcpy(input.position, at, sizeof input.position);
+    memcpy(input.orientation, turned, sizeof input.orientation);
+    input.opening = opening;
+    input.is_origin = is_origin;
+    return vbss_session_move_hand(l->stage.rig->session, side, &input);
+}
+
+/* The mouse turns a tool about the axes that this has now, whatever the aids have made of its turns. */
+static vbss_result lead_aided_mouse(live *l, int side)
+{
+    mouse_hand *m = &l->hands[side];
+    vbss_grasper_state tool;
+    TRY(vbss_grasper_get_state(l->stage.graspers[side], &tool, sizeof tool));
+    if (l->steps > 0) {
+        memcpy(m->sample.orientation, tool.target_orientation, sizeof m->sample.orientation);
+        TRY(give_hand(l, side, m->in.position, m->sample.orientation, m->in.jaw, true));
+    }
+    TRY(mouse_hand_read(m, l->time));
+    return give_hand(l, side, m->in.position, m->in.orientation, m->in.jaw, false);
+}
+
+/* ---- hands */
+
+static vbss_result tell(live *l, int side, const double at[3], const double turned[4],
+                        double opening)
+{
+    return l->aided ? give_hand(l, side, at, turned, opening, false)
+                    : report_tool(l, side, at, turned, opening);
+}
+
 /* Of devices: the begin of the step, as logs have it. */
 static double device_clock(const live *l)
 {
@@ -134,11 +184,14 @@ static vbss_result lead(live *l, int side)
     grip *g = &l->grips[side];
     bool known = true;
     if (!live_by_device(l, side)) {
+        if (l->aided) {
+            return lead_aided_mouse(l, side);
+        }
         TRY(mouse_hand_read(m, l->time));
         return report_tool(l, side, m->in.position, m->in.orientation, m->in.jaw);
     }
     TRY(grip_read(g, arms_device(l->arms, side), device_clock(l), STEP, &known));
-    return known ? report_tool(l, side, g->reported, g->in.orientation, g->jaw) : VBSS_OK;
+    return known ? tell(l, side, g->reported, g->in.orientation, g->jaw) : VBSS_OK;
 }
 
 static vbss_result feel(live *l, int side)

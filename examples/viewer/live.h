@@ -22,6 +22,8 @@ typedef struct live {
     arms *arms;        /* NULL: both hands are the mouse's */
     grip grips[SIDES]; /* of those that are not */
     int active;
+    uint32_t aids; /* VBSS_SESSION_AID_ bits that are on */
+    bool aided;    /* one has been on: hands go through the session */
     uint64_t steps;
     double time; /* s */
 } live;
@@ -36,6 +38,8 @@ vbss_result live_create(live *l, const live_scene *scene, unsigned long seed, ar
 vbss_result live_take_over(live *l, const live_scene *scene, arms *a, stitch *t, const task *k);
 /* A device leads that hand. */
 bool live_by_device(const live *l, int side);
+/* Switches an aid of the session on, or off; nothing in a scene without one. */
+vbss_result live_toggle_aid(live *l, uint32_t aid);
 /* Hands, scene, knots of the session; a limb that stood by itself is let go when a hand has it. */
 vbss_result live_step(live *l);
 /* Ends the log. */

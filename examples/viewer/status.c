@@ -89,6 +89,10 @@ static void put_score(show *s, float *y)
 {
     const vbss_metrics_report *m = &s->report;
     char line[STATUS_LINE];
+    if ((m->flags & VBSS_METRICS_FLAG_ASSISTED) != 0) {
+        put(s, y, PEN_YELLOW, "assisted: no score");
+        return;
+    }
     snprintf(line, sizeof line, "score as it stands %.0f, penalties %.0f, drops %u", m->score,
              m->penalties, (unsigned)m->drops);
     put(s, y, PEN_WHITE, line);

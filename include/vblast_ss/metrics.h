@@ -150,7 +150,9 @@ enum {
     /** The drain was torn off. The score becomes zero. Can be undone. */
     VBSS_METRICS_EVENT_AVULSED = 12,
     /** The thread broke, or was cut early. The score becomes zero. Can be undone. */
-    VBSS_METRICS_EVENT_BROKEN = 13
+    VBSS_METRICS_EVENT_BROKEN = 13,
+    /** The trainee was assisted, by aid `number`. The score becomes zero. Can be undone. */
+    VBSS_METRICS_EVENT_ASSISTED = 14
 };
 
 /** Relation of a throw to the throw before: a VBSS_METRICS_RELATION_ constant. */
@@ -229,7 +231,8 @@ enum {
     VBSS_METRICS_FLAG_FINAL = 2048,
     /** More than `lost_share` of the time is lost. Time and score include it and do not compare with those of other
      * trials. */
-    VBSS_METRICS_FLAG_TIME_LOST = 4096
+    VBSS_METRICS_FLAG_TIME_LOST = 4096,
+    VBSS_METRICS_FLAG_ASSISTED = 8192 /**< The trainee was assisted: there is no score. */
 };
 
 /** The results of a trial so far. An unknown value is 0, and its bit is not set. */
@@ -327,7 +330,9 @@ enum {
     VBSS_METRICS_PENALTY_INCOMPLETE = 13,
     /** More than `lost_share` of the time was lost; `measure` is the lost time, s. It costs no
      * points. */
-    VBSS_METRICS_PENALTY_TIME_LOST = 14
+    VBSS_METRICS_PENALTY_TIME_LOST = 14,
+    /** The trainee was assisted; it costs all remaining points. */
+    VBSS_METRICS_PENALTY_ASSISTED = 15
 };
 
 /** One reason why the score is not max_time - time. Faults that cost no points are listed too. */

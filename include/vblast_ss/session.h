@@ -18,7 +18,7 @@
  * Devices, a knot detector, metrics and a record or replay belong to the host. Each is optional,
  * and costs nothing when it is absent. A step runs in this order:
  *
- *     devices -> scene step -> knots -> metrics -> forces out -> record
+ *     devices, aids -> scene step -> knots -> metrics -> forces out -> record
  *
  * Everything in a session except its devices follows from the state and the inputs of the scene. A
  * replayed log of the scene, used in place of devices, therefore produces the same events.
@@ -146,7 +146,11 @@ enum {
     VBSS_SESSION_EVENT_GOAL = 19,
     /** Only with `coaching`: the mistake `number`, a VBSS_SESSION_MISTAKE_ constant, is made. Undone:
      * it is mended or past. */
-    VBSS_SESSION_EVENT_MISTAKE = 20
+    VBSS_SESSION_EVENT_MISTAKE = 20,
+    /** The aid `number`, a VBSS_SESSION_AID_ bit (session_assistance.h), was switched on: the task is
+     * assisted and gets no score. `amount` is 1 for the first time, then 0. Undone: the aid was switched
+     * off. */
+    VBSS_SESSION_EVENT_AID = 21
 };
 
 /** An event of a session. */
@@ -297,6 +301,9 @@ typedef struct vbss_session_status {
     double time_simulated;
     uint32_t is_lossy; /**< 1: more than `lost_share` of the time is lost, with hysteresis. */
     uint32_t reserved; /**< Zero. */
+    uint32_t aids;     /**< VBSS_SESSION_AID_ bits of the aids in the last step. */
+    uint32_t
+        aids_used; /**< Bits of all aids that were on during the task; 0: it is not assisted. */
 } vbss_session_status;
 
 #ifdef __cplusplus
@@ -477,7 +484,8 @@ VBSS_API vbss_result vbss_session_restore(vbss_session *session, const uint8_t *
                                           uint64_t count);
 
 /**
- * Returns a hash of the state that #vbss_session_save saves; equal histories give equal hashes on
+ * Returns a hash of the state that #vbss_session_save saves, but for the settings and the
+ * intermediate state of aids, which a replay does not have. Equal histories give equal hashes on
  * every machine. With metrics the cost grows with the length of the trial; do not call it in every
  * step.
  *

@@ -31,6 +31,7 @@
 #include <vblast_ss/scene_settings.h>
 #include <vblast_ss/scene_surface.h>
 #include <vblast_ss/session.h>
+#include <vblast_ss/session_assistance.h>
 #include <vblast_ss/session_coaching.h>
 #include <vblast_ss/solver_options.h>
 #include <vblast_ss/thread.h>

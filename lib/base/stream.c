@@ -160,6 +160,14 @@ vbss_section vbss_stream_open(vbss_stream *stream, uint32_t code, uint16_t versi
     return outer;
 }
 
+bool vbss_stream_has_section(const vbss_stream *stream, uint32_t code)
+{
+    const uint8_t *header = stream->in + stream->position;
+    return stream->mode == VBSS_STREAM_READ && stream->result == VBSS_OK &&
+           HEADER_BYTES <= stream->capacity - stream->position &&
+           load_little_endian(header, 2) == TAG_OPEN && load_little_endian(header + 4, 4) == code;
+}
+
 void vbss_stream_close(vbss_stream *stream, vbss_section outer)
 {
     if (stream->result != VBSS_OK) {

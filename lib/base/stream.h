@@ -56,6 +56,8 @@ typedef struct vbss_section {
  * VBSS_ERROR_DATA_VERSION for a newer version. */
 vbss_section vbss_stream_open(vbss_stream *stream, uint32_t code, uint16_t version);
 void vbss_stream_close(vbss_stream *stream, vbss_section outer);
+/* When reading: whether a section with this code begins here. */
+bool vbss_stream_has_section(const vbss_stream *stream, uint32_t code);
 /* Visits an array of `count` values as one field. When reading, the field must have this tag, type
  * and count, otherwise VBSS_ERROR_CORRUPT. */
 void vbss_stream_f64(vbss_stream *stream, uint16_t tag, double *values, size_t count);

@@ -70,7 +70,7 @@ static vbss_result check_event(const metrics_object *m, const vbss_metrics_event
         const char *name;
         double value, low, high;
     } ranges[] = {
-        {"kind", e->kind, VBSS_METRICS_EVENT_NEEDLE_APPEARS, VBSS_METRICS_EVENT_BROKEN},
+        {"kind", e->kind, VBSS_METRICS_EVENT_NEEDLE_APPEARS, VBSS_METRICS_EVENT_ASSISTED},
         {"tool", e->tool, VBSS_METRICS_TOOL_LEFT, VBSS_METRICS_TOOL_NONE},
         {"number", e->number, 0.0, max_number(e->kind)},
         {"undone", e->undone, 0.0, e->kind == VBSS_METRICS_EVENT_PHASE ? 0.0 : 1.0},

@@ -218,6 +218,8 @@ typedef struct metrics_score {
  * exists; it may be NULL. */
 metrics_score vbss_metrics_compute_score(const metrics_object *m, uint32_t number,
                                          vbss_metrics_penalty *wanted);
+/* Whether the trainee was assisted. */
+bool vbss_metrics_is_assisted(const metrics_object *m);
 
 /* Visits the state; the configuration must equal the saved one (snapshot.c). */
 void vbss_metrics_serialise(vbss_stream *stream, void *object);

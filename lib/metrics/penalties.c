@@ -18,6 +18,7 @@ static const char *const texts[] = {
     "the thread broke or was cut early",
     "finished before both tails were cut",
     "simulated time was lost, which the clock of the score includes",
+    "the trainee was assisted",
 };
 
 /* Counts and sums the penalties in order; a query may select one of them. */
@@ -143,8 +144,26 @@ static void add_lost_time(const metrics_object *m, penalty_tally *t)
 
 /* ---- conditions that take the rest of the score */
 
+/* The first aid; NULL: the trainee was not assisted. */
+static const metrics_entry *find_assistance(const metrics_object *m)
+{
+    for (uint32_t i = 0; i < m->incident_count; i++) {
+        const metrics_entry *entry = &m->incidents[i];
+        if (entry->is_active && entry->kind == VBSS_METRICS_EVENT_ASSISTED) {
+            return entry;
+        }
+    }
+    return NULL;
+}
+
+bool vbss_metrics_is_assisted(const metrics_object *m)
+{
+    return find_assistance(m) != NULL;
+}
+
 static bool add_final_penalties(const metrics_object *m, penalty_tally *t)
 {
+    const metrics_entry none = {.is_active = 0}, *assisted = find_assistance(m);
     const metrics_entry *avulsed = &m->facts[METRICS_AVULSED], *broken = &m->facts[METRICS_BROKEN];
     double time = vbss_metrics_task_time(m), max_time = m->config.max_time;
     bool late = time >= max_time, unfinished = m->is_finished && !vbss_metrics_is_stopped(m);
@@ -158,6 +177,7 @@ static bool add_final_penalties(const metrics_object *m, penalty_tally *t)
         {avulsed->is_active != 0, VBSS_METRICS_PENALTY_AVULSED, *avulsed},
         {broken->is_active != 0, VBSS_METRICS_PENALTY_BROKEN, *broken},
         {unfinished, VBSS_METRICS_PENALTY_INCOMPLETE, entry_at(m, m->last_time)},
+        {assisted != NULL, VBSS_METRICS_PENALTY_ASSISTED, assisted != NULL ? *assisted : none},
     };
     bool ended = false;
     for (size_t i = 0; i < sizeof ends / sizeof ends[0]; i++) {

@@ -165,6 +165,7 @@ vbss_result vbss_metrics_get_report(vbss_metrics *metrics, vbss_metrics_report *
     r.penalties = score.penalties;
     r.flags |= vbss_metrics_is_stopped(m) ? VBSS_METRICS_FLAG_STOPPED : 0;
     r.flags |= m->is_finished ? VBSS_METRICS_FLAG_FINISHED : 0;
+    r.flags |= vbss_metrics_is_assisted(m) ? VBSS_METRICS_FLAG_ASSISTED : 0;
     r.flags |= score.is_final ? VBSS_METRICS_FLAG_FINAL : 0;
     return vbss_struct_write(m->context, &report_layout, &r, report, struct_size);
 }

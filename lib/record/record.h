@@ -320,6 +320,7 @@ void vbss_replay_roll_back(replay_object *p, const replay_position *before);
 /* The state of a session after a step. */
 typedef struct log_session_hash {
     uint64_t number, hash, events; /* step; hash of the task; number of events so far */
+    uint64_t aids;                 /* VBSS_SESSION_AID_ bits that are on */
 } log_session_hash;
 
 /* Writes a session hash. It is left out if the log has no room for it. */

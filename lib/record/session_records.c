@@ -10,15 +10,22 @@ enum { SNAPSHOT_GROWTH_FACTOR = 2 };
 
 /* ---- hashes */
 
+/* Version 2 has the aids. It is written only if there are any, so that earlier versions of the library
+ * can read other logs. */
 static void visit_session_hash(vbss_stream *stream, log_session_hash *entry)
 {
-    uint64_t words[3] = {entry->number, entry->hash, entry->events};
-    vbss_section outer = vbss_stream_open(stream, LOG_SESSION_HASH, 1);
+    uint64_t words[3] = {entry->number, entry->hash, entry->events}, aids = entry->aids;
+    bool is_read = stream->mode == VBSS_STREAM_READ;
+    vbss_section outer = vbss_stream_open(stream, LOG_SESSION_HASH, is_read || aids != 0 ? 2 : 1);
     vbss_stream_u64(stream, 1, words, 3);
+    if (stream->version >= 2) {
+        vbss_stream_u64(stream, 2, &aids, 1);
+    }
     vbss_stream_close(stream, outer);
     entry->number = words[0];
     entry->hash = words[1];
     entry->events = words[2];
+    entry->aids = aids;
 }
 
 vbss_result vbss_log_write_session_hash(record_object *r, log_session_hash *entry)
@@ -45,6 +52,7 @@ bool vbss_log_find_session_hash(const replay_object *p, log_session_hash *entry)
         if (found.code == LOG_SESSION_HASH) {
             vbss_stream stream;
             vbss_stream_begin_read(&stream, found.payload, found.length);
+            entry->aids = 0;
             visit_session_hash(&stream, entry);
             return stream.result == VBSS_OK && stream.position == found.length &&
                    entry->number == p->report.step;

@@ -6,10 +6,10 @@
 #include "base/snapshot.h"
 #include "session/session.h"
 
-_Static_assert(sizeof(vbss_session_status) == 160, "published size");
+_Static_assert(sizeof(vbss_session_status) == 168, "published size");
 _Static_assert(sizeof(vbss_session_event) == 120, "published size");
 
-static const uint32_t status_sizes[] = {136, 160, 0};
+static const uint32_t status_sizes[] = {136, 160, 168, 0};
 static const vbss_layout status_layout = {"vbss_session_status", NULL, status_sizes};
 static const uint32_t event_sizes[] = {120, 0};
 static const vbss_layout event_layout = {"vbss_session_event", NULL, event_sizes};
@@ -51,8 +51,58 @@ vbss_result vbss_session_set_record(vbss_session *session, vbss_record *record)
     }
     VBSS_TRY(vbss_session_record_snapshot((const vbss_slot *)session, record));
     s->config.record = record;
+    if (s->config.replay != NULL) { /* the aids of the log stay on until the host sets others */
+        s->assistance.set.aids = s->assistance.aids;
+    }
     s->config.replay = NULL;
     return VBSS_OK;
+}
+
+/* ---- assistance */
+
+static vbss_result edit_live_session(vbss_session *session, session_object **s)
+{
+    VBSS_TRY(vbss_session_edit(session, s));
+    return (*s)->config.replay == NULL
+               ? VBSS_OK
+               : vbss_fail((*s)->context, VBSS_ERROR_WRONG_STATE, "the session follows a replay");
+}
+
+vbss_result vbss_session_set_assistance(vbss_session *session,
+                                        const vbss_session_assistance *assistance)
+{
+    VBSS_ENTER(session);
+    session_object *s;
+    vbss_session_assistance own;
+    VBSS_TRY(edit_live_session(session, &s));
+    if (assistance == NULL) {
+        s->assistance.set.aids = 0;
+        return VBSS_OK;
+    }
+    VBSS_TRY(vbss_session_read_assistance(s->context, assistance, &own));
+    s->assistance.set = own;
+    return VBSS_OK;
+}
+
+vbss_result vbss_session_get_assistance(vbss_session *session, vbss_session_assistance *assistance,
+                                        uint32_t struct_size)
+{
+    VBSS_ENTER(session);
+    session_object *s;
+    VBSS_TRY(vbss_session_open(session, &s));
+    return vbss_session_write_assistance(s, assistance, struct_size);
+}
+
+vbss_result vbss_session_move_hand(vbss_session *session, vbss_metrics_tool tool,
+                                   const vbss_session_hand *hand)
+{
+    VBSS_ENTER(session);
+    session_object *s;
+    VBSS_TRY(edit_live_session(session, &s));
+    VBSS_TRY(vbss_check_pointer(s->context, hand, "hand"));
+    VBSS_TRY(vbss_check_range(s->context, tool, VBSS_METRICS_TOOL_LEFT, VBSS_METRICS_TOOL_RIGHT,
+                              "tool"));
+    return vbss_session_give_input(s, (uint32_t)tool, hand);
 }
 
 /* ---- progress and events */
@@ -92,6 +142,8 @@ vbss_result vbss_session_get_status(vbss_session *session, vbss_session_status *
         .gap = s->gap,
         .time_lost = vbss_session_is_over(s) ? s->end_time_lost : s->time_lost,
         .is_lossy = s->is_lossy,
+        .aids = s->assistance.aids,
+        .aids_used = s->assistance.used,
     };
     own.time_simulated = own.time - own.time_lost;
     for (uint32_t k = 0; k < SESSION_SIDES; k++) {

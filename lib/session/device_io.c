@@ -66,19 +66,66 @@ static vbss_result hold_jaws(const session_object *s, uint32_t hand)
     return vbss_device_hold_jaw(s->config.devices[hand], state.opening);
 }
 
-static vbss_result follow_hand(const session_object *s, uint32_t hand,
-                               const vbss_device_input *input)
+/* ---- assistance */
+
+static vbss_result apply_input(const session_object *s, uint32_t hand, const session_input *input)
+{
+    double position[3], orientation[4];
+    pose_store(input->pose, position, orientation);
+    VBSS_TRY(vbss_grasper_set_target(tool_of_hand(s, hand), position, orientation));
+    return vbss_grasper_set_opening(tool_of_hand(s, hand), input->opening);
+}
+
+/* What a device does not report stays as it is. */
+static vbss_result assist_device(session_object *s, uint32_t hand, double h,
+                                 const vbss_device_input *device)
+{
+    vbss_grasper_state state;
+    VBSS_TRY(vbss_grasper_get_state(tool_of_hand(s, hand), &state, sizeof state));
+    uint32_t jaw_signals = (uint32_t)(VBSS_DEVICE_HAS_JAW | VBSS_DEVICE_HAS_JAW_RAW);
+    bool has_position = (device->valid & (uint32_t)VBSS_DEVICE_HAS_POSITION) != 0;
+    bool is_turned = (device->valid & (uint32_t)VBSS_DEVICE_HAS_ORIENTATION) != 0;
+    const double *q = is_turned ? device->orientation : state.target_orientation;
+    session_input input = {
+        pose_make(vec3_load(has_position ? device->position : state.target_position),
+                  quat_unit(quat_make(q[0], q[1], q[2], q[3]))),
+        (device->valid & jaw_signals) != 0 ? device->jaw : state.opening};
+    vbss_session_assist(s, hand, h, &input);
+    return apply_input(s, hand, &input);
+}
+
+static vbss_result follow_host(session_object *s, uint32_t hand, double h)
+{
+    session_input input = s->given[hand].input;
+    if (!s->given[hand].is_given || s->config.replay != NULL || tool_of_hand(s, hand) == NULL) {
+        return VBSS_OK;
+    }
+    s->given[hand].is_given = false;
+    if (vbss_session_is_hand_assisted(s, hand)) {
+        vbss_session_assist(s, hand, h, &input);
+    }
+    return apply_input(s, hand, &input);
+}
+
+static vbss_result follow_device(session_object *s, uint32_t hand, double h,
+                                 const vbss_device_input *input)
 {
     if (input->status == VBSS_DEVICE_STATUS_WAITING) {
         return VBSS_OK;
     }
-    VBSS_TRY(move_tool(s, hand, input));
-    VBSS_TRY(set_tool_opening(s, hand, input));
+    if (vbss_session_is_hand_assisted(s, hand)) {
+        VBSS_TRY(assist_device(s, hand, h, input));
+    } else {
+        VBSS_TRY(move_tool(s, hand, input));
+        VBSS_TRY(set_tool_opening(s, hand, input));
+    }
     return exchange_tool(s, hand, input);
 }
 
+/* ---- all hands */
+
 /* Reads all devices even if one fails: a device whose clock is wrong switches its outputs off. */
-vbss_result vbss_session_read_devices(session_object *s, double now)
+vbss_result vbss_session_read_hands(session_object *s, double now, double h)
 {
     vbss_device_input inputs[SESSION_HANDS] = {{.struct_size = 0}};
     vbss_result result = VBSS_OK;
@@ -95,9 +142,7 @@ vbss_result vbss_session_read_devices(session_object *s, double now)
     VBSS_TRY(vbss_session_attach_record(s));
     s->takes_over = false;
     for (uint32_t i = 0; i < SESSION_HANDS; i++) {
-        if (has_device(s, i)) {
-            VBSS_TRY(follow_hand(s, i, &inputs[i]));
-        }
+        VBSS_TRY(has_device(s, i) ? follow_device(s, i, h, &inputs[i]) : follow_host(s, i, h));
     }
     return VBSS_OK;
 }

@@ -48,8 +48,8 @@ vbss_result vbss_session_step_scene(session_object *s, double h)
     if (s->config.replay != NULL) {
         return replay_scene_step(s);
     }
-    VBSS_TRY(vbss_scene_step(s->scene, h));
-    s->h = h;
+    VBSS_TRY(vbss_scene_step(s->scene, vbss_session_paced_step(s, h)));
+    s->h = vbss_session_paced_step(s, h);
     return VBSS_OK;
 }
 
@@ -59,6 +59,16 @@ vbss_result vbss_session_step_scene(session_object *s, double h)
 static uint64_t count_logged_events(const session_object *s)
 {
     return s->event_count - s->coach_event_count;
+}
+
+/* A log without an entry after this step has no change of the aids in it. */
+uint32_t vbss_session_logged_aids(const session_object *s)
+{
+    replay_object *p;
+    log_session_hash entry;
+    bool is_found =
+        vbss_replay_edit(s->config.replay, &p) == VBSS_OK && vbss_log_find_session_hash(p, &entry);
+    return is_found ? (uint32_t)entry.aids : s->assistance.aids;
 }
 
 static vbss_result compare_log_hash(session_object *s)
@@ -97,7 +107,8 @@ static vbss_result write_log_hash(session_object *s)
     VBSS_TRY(vbss_record_edit(s->config.record, &r));
     log_session_hash entry = {.number = r->step.number,
                               .hash = vbss_session_task_hash(s),
-                              .events = count_logged_events(s)};
+                              .events = count_logged_events(s),
+                              .aids = s->assistance.aids};
     return vbss_log_write_session_hash(r, &entry);
 }
 

@@ -26,6 +26,8 @@ static vbss_metrics_event_kind metrics_kind(const vbss_session_event *e)
         return VBSS_METRICS_EVENT_TRANSFER_MISSED;
     case VBSS_SESSION_EVENT_CUT:
         return VBSS_METRICS_EVENT_TAIL_CUT;
+    case VBSS_SESSION_EVENT_AID:
+        return VBSS_METRICS_EVENT_ASSISTED;
     default:
         return 0;
     }
@@ -77,12 +79,14 @@ static void fill_metrics_event(const session_object *s, const session_observatio
     }
 }
 
-/* Whether the metrics get the event. A lost seat is left out: the next seat reports the gap. */
+/* Whether the metrics get the event. A lost seat is left out: the next seat reports the gap. Of an aid,
+ * only the first use counts. */
 static bool is_for_metrics(const vbss_session_event *e, vbss_metrics_event_kind *kind)
 {
+    bool is_repeated = e->kind == VBSS_SESSION_EVENT_AID && e->amount == 0.0;
     *kind =
         e->kind == VBSS_SESSION_EVENT_FAILED ? metrics_kind_of_failure(e->number) : metrics_kind(e);
-    return *kind != 0 && !(e->kind == VBSS_SESSION_EVENT_SEATED && e->undone != 0);
+    return *kind != 0 && !is_repeated && !(e->kind == VBSS_SESSION_EVENT_SEATED && e->undone != 0);
 }
 
 static vbss_result feed_event(session_object *s, const session_observation *observed,

@@ -15,6 +15,9 @@
  * (coach_mistakes.c) from the same observation. coach_geometry.c and coach_words.c describe them for
  * hosts. coach_task.c has the queries that they share.
  *
+ * assist.c keeps the aids that a host has switched on. assist_input.c changes the input of a hand before it
+ * becomes the target of its tool.
+ *
  * config.c has the configuration, session.c the handle, snapshot.c the saved state. create.c and
  * api.c have the exported functions. seek.c goes to a step of a log. A file calls only files that
  * do not call it back.
@@ -26,6 +29,7 @@
 #ifndef VBSS_SESSION_SESSION_H
 #define VBSS_SESSION_SESSION_H
 
+#include <vblast_ss/session_assistance.h>
 #include <vblast_ss/session_coaching.h>
 
 #include "record/record.h"
@@ -157,6 +161,44 @@ enum { SESSION_GOAL_TOOLS = 4 };
 /* Turns of a grasp that is not judged: more than any winding has. Chosen. */
 #define SESSION_NOT_JUDGED 1e6
 
+/* ---- assistance */
+
+/* What a hand asks of its tool. */
+typedef struct session_input {
+    pose pose;
+    double opening; /* of the handle, 0 to 1 */
+} session_input;
+
+/* The state of the aids of one hand. */
+typedef struct session_aided_hand {
+    /* 1: the tool makes the movements of the hand from its last input on; 0: it goes where the hand is,
+     * and nothing else here is used. */
+    uint32_t is_relative;
+    pose input; /* of the last step */
+    pose free;  /* of the tool, without the snapped roll */
+    /* SNAP_ROLL: roll added to the free pose; multiple of the step, rad */
+    double roll, snapped;
+    double climb; /* HOVER: filtered vertical speed, m/s */
+    /* AUTO_HOLD: input from which rest is measured; time since then, s; opening while it holds */
+    pose rest;
+    double rest_time, opening;
+    /* ARC: 1 while the needle is turned about this centre, m, and unit axis */
+    uint32_t is_on_arc;
+    vec3 arc_centre, arc_axis;
+} session_aided_hand;
+
+typedef struct session_assistance {
+    vbss_session_assistance set; /* by the host */
+    uint32_t aids, used;         /* aids in the last step; those that were on since the beginning */
+    session_aided_hand hands[SESSION_HANDS];
+} session_assistance;
+
+/* Input that the host has passed for the next step; not saved. */
+typedef struct session_given_input {
+    bool is_given;
+    session_input input;
+} session_given_input;
+
 typedef struct session_object {
     vbss_context *context;
     vbss_scene *scene;
@@ -204,6 +246,8 @@ typedef struct session_object {
     /* Events among event_count that are the coach's; logs do not count them. */
     uint64_t coach_event_count;
     session_coach coach; /* used only with config.coaching */
+    session_assistance assistance;
+    session_given_input given[SESSION_HANDS];
 
     /* Rebuilt in each step. */
     session_observation observation;
@@ -237,13 +281,47 @@ vbss_result vbss_session_edit(vbss_session *handle, session_object **session);
 vbss_result vbss_session_read_config(vbss_context *context, const vbss_session_config *config,
                                      vbss_session_config *own);
 
+/* ---- assist.c */
+
+/* The assistance of a new session. */
+vbss_session_assistance vbss_session_default_assistance(void);
+/* Copies the assistance of a host into `own` and checks it. Errors are those of
+ * vbss_session_set_assistance. */
+vbss_result vbss_session_read_assistance(vbss_context *context,
+                                         const vbss_session_assistance *assistance,
+                                         vbss_session_assistance *own);
+/* Copies what was set to the struct of a host. VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_STRUCT_SIZE. */
+vbss_result vbss_session_write_assistance(const session_object *s, vbss_session_assistance *out,
+                                          uint32_t struct_size);
+/* Stores the input of a host for the next step. Errors are those of vbss_session_move_hand. */
+vbss_result vbss_session_give_input(session_object *s, uint32_t hand,
+                                    const vbss_session_hand *given);
+/* Whether the input of a hand has to be changed before it moves the tool. */
+bool vbss_session_is_hand_assisted(const session_object *s, uint32_t hand);
+/* Length of a step for which the host asks for h, s. */
+double vbss_session_paced_step(const session_object *s, double h);
+/* After the step of the scene: emits events of aids that were switched. */
+void vbss_session_update_aids(session_object *s);
+/* Whether the state of the assistance differs from that of a new session; whether its part that a replay
+ * has, too, does: the aids of the steps so far. */
+bool vbss_session_has_assistance(const session_object *s);
+bool vbss_session_was_assisted(const session_object *s);
+/* Visits the state of the assistance; in a hash only the part that a replay has. */
+void vbss_session_visit_assistance(vbss_stream *stream, session_object *s);
+
+/* ---- assist_input.c */
+
+/* Changes the input of a hand as the aids demand. `h` is the time since the input before, s. */
+void vbss_session_assist(session_object *s, uint32_t hand, double h, session_input *input);
+
 /* ---- device_io.c
  *
  * Both functions do nothing during a replay, and skip a hand that has no device or no tool. `now`
  * is the clock of the host, s. They return the first error of a device, a tool or the record. */
 
-/* Reads the devices, and sets the targets, openings and kinds of the tools. */
-vbss_result vbss_session_read_devices(session_object *s, double now);
+/* Reads the devices and the input that the host has passed, and sets the targets, openings and kinds of
+ * the tools. `h` is the time since the last input of the hands, s. */
+vbss_result vbss_session_read_hands(session_object *s, double now, double h);
 /* Writes the forces on the hands to the devices. */
 vbss_result vbss_session_write_devices(const session_object *s, double now);
 
@@ -282,6 +360,8 @@ vbss_result vbss_session_attach_record(const session_object *s);
 /* After a step: writes the session hash and a snapshot to the record if they are due. In a replay,
  * compares the hash; VBSS_ERROR_CORRUPT if it differs. */
 vbss_result vbss_session_sync_log(const vbss_slot *slot, session_object *s);
+/* The aids that were on in the step that was replayed last, as the log says. */
+uint32_t vbss_session_logged_aids(const session_object *s);
 /* Writes a snapshot of the session if the record needs one and has room; NULL: does nothing. */
 vbss_result vbss_session_record_snapshot(const vbss_slot *slot, vbss_record *record);
 

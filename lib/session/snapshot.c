@@ -238,6 +238,25 @@ static void clear_knot_events(const session_object *s)
     }
 }
 
+/* A session that was never assisted has the bytes of earlier versions. */
+static void visit_assistance(vbss_stream *stream, session_object *s)
+{
+    const uint32_t code = VBSS_CODE('A', 'I', 'D', 'S');
+    bool is_read = stream->mode == VBSS_STREAM_READ;
+    bool is_there = stream->mode == VBSS_STREAM_HASH ? vbss_session_was_assisted(s)
+                    : is_read                        ? vbss_stream_has_section(stream, code)
+                                                     : vbss_session_has_assistance(s);
+    if (is_there) {
+        vbss_section outer = vbss_stream_open(stream, code, 1);
+        vbss_session_visit_assistance(stream, s);
+        vbss_stream_close(stream, outer);
+    } else if (is_read) {
+        const vbss_session_assistance set = s->assistance.set;
+        s->assistance = (session_assistance){.set = set};
+        s->assistance.set.aids = 0;
+    }
+}
+
 static void visit_scene(vbss_stream *stream, session_object *s)
 {
     scene_info scene;
@@ -265,6 +284,7 @@ void vbss_session_serialise(vbss_stream *stream, void *object)
     visit_task(stream, s);
     visit_events(stream, s);
     visit_components(stream, s);
+    visit_assistance(stream, s);
     if (s->config.coaching != 0) {
         vbss_section outer = vbss_stream_open(stream, VBSS_CODE('C', 'O', 'A', 'C'), 1);
         vbss_session_visit_coach(stream, s);
@@ -272,6 +292,7 @@ void vbss_session_serialise(vbss_stream *stream, void *object)
     }
     if (stream->mode == VBSS_STREAM_READ) {
         clear_knot_events(s);
+        s->given[0].is_given = s->given[1].is_given = false;
         s->takes_over = true;
     }
 }

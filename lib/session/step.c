@@ -1,5 +1,5 @@
 /* One step of a session:
- *   devices -> scene step -> knots -> metrics -> forces out -> record
+ *   devices, aids -> scene step -> knots -> metrics -> forces out -> record
  * Once the scene has been stepped, the step counts: a later failure is returned, but undoes
  * nothing. */
 #include "base/error.h"
@@ -22,6 +22,7 @@ static vbss_result observe_and_update(session_object *s)
     vbss_session_observe(s, &s->observation);
     vbss_result result = vbss_session_observe_knot(s, &s->observation);
     vbss_session_update_progress(s, &s->observation);
+    vbss_session_update_aids(s);
     vbss_session_update_coach(s, &s->observation);
     return result;
 }
@@ -34,7 +35,7 @@ static void keep_first_error(vbss_result *first, vbss_result result)
 vbss_result vbss_session_advance(const vbss_slot *slot, session_object *s, double now, double h)
 {
     VBSS_TRY(check_scene_step(s));
-    VBSS_TRY(vbss_session_read_devices(s, now));
+    VBSS_TRY(vbss_session_read_hands(s, now, h));
     VBSS_TRY(vbss_session_step_scene(s, h));
     VBSS_TRY(vbss_session_count_step(s));
     vbss_result result = observe_and_update(s);

@@ -105,4 +105,21 @@
  * Unit: s. Origin: chosen: time to read it. Test: session.coach_mistakes. */
 #define SESSION_SHOWN_TIME VBSS_TUNE(SESSION_SHOWN_TIME, 5.0)
 
+/* ---- Assistance (assist_input.c) */
+
+/* Time constant of the vertical speed that HOVER compares.
+ * Unit: s. Origin: chosen: several periods of physiological tremor, 8 to 12 Hz. Test: session.assistance. */
+#define SESSION_CLIMB_TIME VBSS_TUNE(SESSION_CLIMB_TIME, 0.2)
+/* Distance from the middle between two multiples beyond which a snapped roll goes to the other one.
+ * Unit: 1, relative to roll_step. Origin: chosen: no flicker at the middle. Test: session.assistance. */
+#define SESSION_SNAP_MARGIN VBSS_TUNE(SESSION_SNAP_MARGIN, 0.1)
+/* Largest speed of a roll that snaps.
+ * Unit: rad/s. Origin: chosen: an eighth of a turn in a quarter of a second. Test: session.assistance. */
+#define SESSION_SNAP_SPEED VBSS_TUNE(SESSION_SNAP_SPEED, 3.0)
+/* Turn of a hand within which it rests. Unit: rad. Origin: chosen: 6 degrees. Test: none known. */
+#define SESSION_REST_ANGLE VBSS_TUNE(SESSION_REST_ANGLE, 0.1)
+/* Change of the opening that ends a hold.
+ * Unit: 1, of the whole opening. Origin: chosen: above the tremor of a grip. Test: session.assistance. */
+#define SESSION_HOLD_OPENING VBSS_TUNE(SESSION_HOLD_OPENING, 0.25)
+
 #endif

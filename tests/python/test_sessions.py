@@ -147,3 +147,30 @@ def test_a_coach_gives_goals_and_names_mistakes(context):
     assert (vb.SessionEventKind.MISTAKE, vb.SessionMistake.TIME_UP) in kinds
     with pytest.raises(vb.errors.WrongStateError):
         Rig(context).session().coaching
+
+
+def test_an_assisted_task_gets_no_score(context):
+    rig = Rig(context)
+    metrics = vb.Metrics(context, duration=10.0)
+    session = rig.session(metrics=metrics)
+    session.step()
+    assert session.assistance.aids == 0 and session.status.aids_used == 0
+    session.assist(vb.SessionAidBits.SLOW_MOTION | vb.SessionAidBits.HOVER, pace=0.25, sink_speed=3e-3)
+    assert session.assistance.pace == 0.25 and session.assistance.sink_speed == 3e-3
+    place = [0.0, 0.0, 0.1]
+    for _ in range(101):
+        place[2] -= 1e-6  # 1 mm/s
+        session.move_hand(1, place, (0.70710678118654752, -0.70710678118654752, 0.0, 0.0), opening=0.5)
+        session.step()
+    assert rig.tools[1].state.target_position[2] == pytest.approx(0.08)  # where it was
+    assert rig.tools[1].state.opening == 0.5
+    assert session.status.time == pytest.approx(101 * 0.25e-3)
+    session.assist(0)
+    session.step()
+    status = session.status
+    assert status.aids == 0 and status.aids_used == vb.SessionAidBits.SLOW_MOTION | vb.SessionAidBits.HOVER
+    aids = [(event.number, event.undone) for event in session.events if event.kind is vb.SessionEventKind.AID]
+    assert aids == [(8, 0), (16, 0), (8, 1), (16, 1)]
+    assert metrics.report.flags & vb.MetricsFlagBits.ASSISTED and metrics.report.score == 0.0
+    with pytest.raises(vb.errors.OutOfRangeError):
+        session.assist(vb.SessionAidBits.SLOW_MOTION, pace=2.0)

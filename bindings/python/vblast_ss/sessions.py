@@ -7,6 +7,7 @@ from typing import Any, Callable, Optional, Sequence
 from ._api.session import (SessionEvent, SessionEventKind, SessionFailure, SessionPhase, SessionStage, SessionStatus,
                            vbss_session, vbss_session_config, vbss_session_event, vbss_session_event_fn,
                            vbss_session_status)
+from ._api.session_assistance import (SessionAidBits, SessionAssistance, vbss_session_assistance, vbss_session_hand)
 from ._api.session_coaching import (SessionCoaching, SessionGeometryBits, SessionGoal, SessionMistake,
                                     vbss_session_coaching)
 from ._library import lib
@@ -18,7 +19,7 @@ from .metrics import Metrics
 from .records import Record, Replay
 from .scene import Scene
 
-__all__ = ["Session", "SessionCoaching", "SessionEvent", "SessionEventKind", "SessionFailure", "SessionGeometryBits",
+__all__ = ["Session", "SessionAidBits", "SessionAssistance", "SessionCoaching", "SessionEvent", "SessionEventKind", "SessionFailure", "SessionGeometryBits",
            "SessionGoal", "SessionMistake", "SessionPhase", "SessionStage", "SessionStatus"]
 
 
@@ -109,6 +110,26 @@ class Session(Configured, Saved):
     def coaching(self) -> SessionCoaching:
         """The coach's goal with its geometry and distances, and the newest mistake; the session was made with coaching=1."""
         return self._read("get_coaching", SessionCoaching, vbss_session_coaching)
+
+    @property
+    def assistance(self) -> SessionAssistance:
+        """The aids that are on, SessionAidBits, and their settings."""
+        return self._read("get_assistance", SessionAssistance, vbss_session_assistance)
+
+    def assist(self, aids: int, **settings: Any) -> None:
+        """Switches aids on, SessionAidBits, and all others off, from the next step on; settings are those of
+        vbss_session_assistance. A task in which an aid was on gets no score."""
+        struct = initialised(vbss_session_assistance, lib.vbss_session_assistance_init, {"aids": aids, **settings},
+                             "assistance")
+        self._call(lib.vbss_session_set_assistance, ctypes.byref(struct))
+
+    def move_hand(self, tool: int, position: Any, orientation: Any = (1.0, 0.0, 0.0, 0.0), opening: float = 0.0,
+                  is_origin: bool = False) -> None:
+        """Passes the pose of a hand (0 left, 1 right) for the next step, which moves its tool there as the aids permit."""
+        struct = initialised(vbss_session_hand, lib.vbss_session_hand_init,
+                             {"position": position, "orientation": orientation, "opening": opening,
+                              "is_origin": int(is_origin)}, "the input of a hand")
+        self._call(lib.vbss_session_move_hand, integer(tool, ctypes.c_int32, "tool"), ctypes.byref(struct))
 
     @staticmethod
     def mistake_text(mistake: int) -> tuple[str, str]:

@@ -79,6 +79,8 @@ namespace VblastSs
         Avulsed = 12,
         /// <summary>The thread broke, or was cut early. The score becomes zero. Can be undone.</summary>
         Broken = 13,
+        /// <summary>The trainee was assisted, by aid `number`. The score becomes zero. Can be undone.</summary>
+        Assisted = 14,
     }
 
     /// <summary>The constants of vbss_metrics_relation.</summary>
@@ -143,6 +145,8 @@ namespace VblastSs
         /// with those of other trials.
         /// </summary>
         TimeLost = 4096,
+        /// <summary>The trainee was assisted: there is no score.</summary>
+        Assisted = 8192,
     }
 
     /// <summary>The constants of vbss_metrics_penalty_kind.</summary>
@@ -179,6 +183,8 @@ namespace VblastSs
         /// points.
         /// </summary>
         TimeLost = 14,
+        /// <summary>The trainee was assisted; it costs all remaining points.</summary>
+        Assisted = 15,
     }
 
     /// <summary>The `phase` argument for the whole task.</summary>

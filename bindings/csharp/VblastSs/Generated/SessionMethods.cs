@@ -105,7 +105,8 @@ namespace VblastSs
         }
 
         /// <summary>
-        /// Returns a hash of the state that vbss_session_save saves; equal histories give equal
+        /// Returns a hash of the state that vbss_session_save saves, but for the settings and the
+        /// intermediate state of aids, which a replay does not have. Equal histories give equal
         /// hashes on every machine. With metrics the cost grows with the length of the trial; do
         /// not call it in every step.
         /// </summary>

@@ -146,6 +146,12 @@ namespace VblastSs
         /// Undone: it is mended or past.
         /// </summary>
         Mistake = 20,
+        /// <summary>
+        /// The aid `number`, a VBSS_SESSION_AID_ bit (session_assistance.h), was switched on: the
+        /// task is assisted and gets no score. `amount` is 1 for the first time, then 0. Undone:
+        /// the aid was switched off.
+        /// </summary>
+        Aid = 21,
     }
 
     /// <summary>The constants of vbss_session_gap.</summary>
@@ -553,5 +559,9 @@ namespace VblastSs
         /// <summary>1: more than `lost_share` of the time is lost, with hysteresis.</summary>
         public uint IsLossy;
         internal uint Reserved;
+        /// <summary>VBSS_SESSION_AID_ bits of the aids in the last step.</summary>
+        public SessionAidBits Aids;
+        /// <summary>Bits of all aids that were on during the task; 0: it is not assisted.</summary>
+        public uint AidsUsed;
     }
 }

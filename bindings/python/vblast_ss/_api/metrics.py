@@ -71,6 +71,8 @@ class MetricsEventKind(IntEnum):
     """The drain was torn off. The score becomes zero. Can be undone."""
     BROKEN = 13
     """The thread broke, or was cut early. The score becomes zero. Can be undone."""
+    ASSISTED = 14
+    """The trainee was assisted, by aid `number`. The score becomes zero. Can be undone."""
 
 
 class MetricsRelation(IntEnum):
@@ -127,6 +129,8 @@ class MetricsFlagBits(IntFlag):
     TIME_LOST = 4096
     """More than `lost_share` of the time is lost. Time and score include it and do not compare
     with those of other trials."""
+    ASSISTED = 8192
+    """The trainee was assisted: there is no score."""
 
 
 class MetricsPenaltyKind(IntEnum):
@@ -160,6 +164,8 @@ class MetricsPenaltyKind(IntEnum):
     TIME_LOST = 14
     """More than `lost_share` of the time was lost; `measure` is the lost time, s. It costs no
     points."""
+    ASSISTED = 15
+    """The trainee was assisted; it costs all remaining points."""
 
 
 class MetricsTask(IntEnum):

@@ -11,6 +11,7 @@ from .knot import KnotFaultBits, vbss_knot_detector
 from .metrics import MetricsRelation, MetricsTool, vbss_metrics
 from .record import vbss_record, vbss_replay
 from .scene import vbss_scene
+from .session_assistance import SessionAidBits
 
 
 class SessionPhase(IntEnum):
@@ -131,6 +132,10 @@ class SessionEventKind(IntEnum):
     MISTAKE = 20
     """Only with `coaching`: the mistake `number`, a VBSS_SESSION_MISTAKE_ constant, is made.
     Undone: it is mended or past."""
+    AID = 21
+    """The aid `number`, a VBSS_SESSION_AID_ bit (session_assistance.h), was switched on: the task
+    is assisted and gets no score. `amount` is 1 for the first time, then 0. Undone: the aid was
+    switched off."""
 
 
 class SessionGap(IntEnum):
@@ -441,7 +446,11 @@ class vbss_session_status(ctypes.Structure):
     time_simulated: Time that was simulated, s: `time` minus `time_lost`. Up to two steps of it
     may still be deferred (vbss_scene_statistics::behind).
 
-    is_lossy: 1: more than `lost_share` of the time is lost, with hysteresis."""
+    is_lossy: 1: more than `lost_share` of the time is lost, with hysteresis.
+
+    aids: VBSS_SESSION_AID_ bits of the aids in the last step.
+
+    aids_used: Bits of all aids that were on during the task; 0: it is not assisted."""
     struct_size: int
     phase: int
     stage: int
@@ -468,7 +477,9 @@ class vbss_session_status(ctypes.Structure):
     time_simulated: float
     is_lossy: int
     reserved: int
-    _kinds_: ClassVar[dict[str, Any]] = {"phase": SessionPhase, "stage": SessionStage, "failure": SessionFailure, "holder": MetricsTool, "faults": KnotFaultBits}
+    aids: int
+    aids_used: int
+    _kinds_: ClassVar[dict[str, Any]] = {"phase": SessionPhase, "stage": SessionStage, "failure": SessionFailure, "holder": MetricsTool, "faults": KnotFaultBits, "aids": SessionAidBits}
     _fields_ = [
         ("struct_size", c_uint32),
         ("phase", c_int32),
@@ -496,6 +507,8 @@ class vbss_session_status(ctypes.Structure):
         ("time_simulated", c_double),
         ("is_lossy", c_uint32),
         ("reserved", c_uint32),
+        ("aids", c_uint32),
+        ("aids_used", c_uint32),
     ]
 
 
@@ -525,6 +538,8 @@ class SessionStatus(NamedTuple):
     time_lost: float
     time_simulated: float
     is_lossy: int
+    aids: SessionAidBits
+    aids_used: int
 
 
 FUNCTIONS: dict[str, tuple[Any, tuple[Any, ...]]] = {

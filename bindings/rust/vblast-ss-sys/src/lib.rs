@@ -29,6 +29,7 @@ mod scene_query;
 mod scene_settings;
 mod scene_surface;
 mod session;
+mod session_assistance;
 mod session_coaching;
 mod visual;
 
@@ -58,5 +59,6 @@ pub use scene_query::*;
 pub use scene_settings::*;
 pub use scene_surface::*;
 pub use session::*;
+pub use session_assistance::*;
 pub use session_coaching::*;
 pub use visual::*;

@@ -80,6 +80,8 @@ pub const VBSS_METRICS_EVENT_HOST: vbss_metrics_event_kind = 11;
 pub const VBSS_METRICS_EVENT_AVULSED: vbss_metrics_event_kind = 12;
 /// The thread broke, or was cut early. The score becomes zero. Can be undone.
 pub const VBSS_METRICS_EVENT_BROKEN: vbss_metrics_event_kind = 13;
+/// The trainee was assisted, by aid `number`. The score becomes zero. Can be undone.
+pub const VBSS_METRICS_EVENT_ASSISTED: vbss_metrics_event_kind = 14;
 
 // The constants of vbss_metrics_relation.
 /// The relation is not known.
@@ -130,6 +132,8 @@ pub const VBSS_METRICS_FLAG_FINAL: u32 = 2048;
 /// More than `lost_share` of the time is lost. Time and score include it and do not compare with those of other
 /// trials.
 pub const VBSS_METRICS_FLAG_TIME_LOST: u32 = 4096;
+/// The trainee was assisted: there is no score.
+pub const VBSS_METRICS_FLAG_ASSISTED: u32 = 8192;
 
 // The constants of vbss_metrics_penalty_kind.
 /// A puncture is off its mark by `measure` mm.
@@ -161,6 +165,8 @@ pub const VBSS_METRICS_PENALTY_INCOMPLETE: vbss_metrics_penalty_kind = 13;
 /// More than `lost_share` of the time was lost; `measure` is the lost time, s. It costs no
 /// points.
 pub const VBSS_METRICS_PENALTY_TIME_LOST: vbss_metrics_penalty_kind = 14;
+/// The trainee was assisted; it costs all remaining points.
+pub const VBSS_METRICS_PENALTY_ASSISTED: vbss_metrics_penalty_kind = 15;
 
 // The `phase` argument for the whole task.
 /// From the needle's appearance until both tails were cut; without a needle, the whole

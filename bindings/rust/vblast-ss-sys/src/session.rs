@@ -130,6 +130,10 @@ pub const VBSS_SESSION_EVENT_GOAL: vbss_session_event_kind = 19;
 /// Only with `coaching`: the mistake `number`, a VBSS_SESSION_MISTAKE_ constant, is made. Undone:
 /// it is mended or past.
 pub const VBSS_SESSION_EVENT_MISTAKE: vbss_session_event_kind = 20;
+/// The aid `number`, a VBSS_SESSION_AID_ bit (session_assistance.h), was switched on: the task is
+/// assisted and gets no score. `amount` is 1 for the first time, then 0. Undone: the aid was switched
+/// off.
+pub const VBSS_SESSION_EVENT_AID: vbss_session_event_kind = 21;
 
 // The constants of vbss_session_gap.
 /// Gap between the lips, which are as high as the wall: vbss_drain_gap.opening. A wall that
@@ -332,6 +336,10 @@ pub struct vbss_session_status {
     pub is_lossy: u32,
     /// Zero.
     pub reserved: u32,
+    /// VBSS_SESSION_AID_ bits of the aids in the last step.
+    pub aids: u32,
+    /// Bits of all aids that were on during the task; 0: it is not assisted.
+    pub aids_used: u32,
 }
 
 extern "C" {
@@ -459,7 +467,8 @@ extern "C" {
     /// @threads one thread at a time per context
     /// @since 1.0
     pub fn vbss_session_restore(session: *mut vbss_session, bytes: *const u8, count: u64) -> vbss_result;
-    /// Returns a hash of the state that vbss_session_save saves; equal histories give equal hashes on
+    /// Returns a hash of the state that vbss_session_save saves, but for the settings and the
+    /// intermediate state of aids, which a replay does not have. Equal histories give equal hashes on
     /// every machine. With metrics the cost grows with the length of the trial; do not call it in every
     /// step.
     ///
