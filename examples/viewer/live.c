@@ -165,8 +165,8 @@ static vbss_result lead_aided_mouse(live *l, int side)
 
 /* ---- hands */
 
-static vbss_result tell(live *l, int side, const double at[3], const double turned[4],
-                        double opening)
+static vbss_result send_target(live *l, int side, const double at[3], const double turned[4],
+                               double opening)
 {
     return l->aided ? give_hand(l, side, at, turned, opening, false)
                     : report_tool(l, side, at, turned, opening);
@@ -191,7 +191,7 @@ static vbss_result lead(live *l, int side)
         return report_tool(l, side, m->in.position, m->in.orientation, m->in.jaw);
     }
     TRY(grip_read(g, arms_device(l->arms, side), device_clock(l), STEP, &known));
-    return known ? tell(l, side, g->reported, g->in.orientation, g->jaw) : VBSS_OK;
+    return known ? send_target(l, side, g->reported, g->in.orientation, g->jaw) : VBSS_OK;
 }
 
 static vbss_result feel(live *l, int side)

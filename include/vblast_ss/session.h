@@ -147,10 +147,35 @@ enum {
     /** Only with `coaching`: the mistake `number`, a VBSS_SESSION_MISTAKE_ constant, is made. Undone:
      * it is mended or past. */
     VBSS_SESSION_EVENT_MISTAKE = 20,
-    /** The aid `number`, a VBSS_SESSION_AID_ bit (session_assistance.h), was switched on: the task is
+    /** The aid `number`, a VBSS_SESSION_AID_ bit, was switched on: the task is
      * assisted and gets no score. `amount` is 1 for the first time, then 0. Undone: the aid was switched
      * off. */
     VBSS_SESSION_EVENT_AID = 21
+};
+
+/** Bits of the aids (session_assistance.h). "Along the direction" means: by the component of the hand's movement along
+ * #vbss_session_assistance.direction. */
+enum {
+    /** A hand that holds the needle turns it about the centre of its arc and moves it in no other way.
+     * Movement along the direction drives the tip forward by the same length of arc. Turns of the hand
+     * are ignored. Acts before the first throw. */
+    VBSS_SESSION_AID_ARC = 1,
+    /** A hand that holds the needle goes round the jaws of the other tool. Movement along the
+     * direction winds in the sense that the next throw needs. The radius stays, between 8 mm and
+     * 45 mm. Turns of the hand turn the tool as without the aid. Acts in the phases of throws. */
+    VBSS_SESSION_AID_WIND = 2,
+    /** The roll of each tool about its shaft is the nearest multiple of `roll_step` from the roll in
+     * which the jaws open along the slit. */
+    VBSS_SESSION_AID_SNAP_ROLL = 4,
+    /** Each step of the session is `time_scale` times as long as the host asks for. */
+    VBSS_SESSION_AID_SLOW_MOTION = 8,
+    /** A hand that sinks slower than `sink_speed` leaves its tool at the same height, for arms
+     * without support. */
+    VBSS_SESSION_AID_HOVER = 16,
+    /** The tool and the jaws of a hand that has moved less than `hold_distance` for `hold_time` stay where
+     * they are, until the hand leaves this distance. */
+    VBSS_SESSION_AID_AUTO_HOLD = 32,
+    VBSS_SESSION_AID_ALL = 63 /**< All aids. */
 };
 
 /** An event of a session. */

@@ -23,36 +23,11 @@
 
 #include <vblast_ss/session.h>
 
-/** Bits of the aids. "Along the direction" means: by the component of the hand's movement along
- * #vbss_session_assistance.direction. */
-enum {
-    /** A hand that holds the needle turns it about the centre of its arc and moves it in no other way.
-     * Movement along the direction drives the tip forward by the same length of arc. Turns of the hand
-     * are ignored. Acts before the first throw. */
-    VBSS_SESSION_AID_ARC = 1,
-    /** A hand that holds the needle goes round the jaws of the other tool. Movement along the
-     * direction winds in the sense that the next throw needs. The radius stays, between 8 mm and
-     * 45 mm. Turns of the hand turn the tool as without the aid. Acts in the phases of throws. */
-    VBSS_SESSION_AID_WIND = 2,
-    /** The roll of each tool about its shaft is the nearest multiple of `roll_step` from the roll in
-     * which the jaws open along the slit. */
-    VBSS_SESSION_AID_SNAP_ROLL = 4,
-    /** Each step of the session is `pace` times as long as the host asks for. */
-    VBSS_SESSION_AID_SLOW_MOTION = 8,
-    /** A hand that sinks slower than `sink_speed` leaves its tool at the same height, for arms
-     * without support. */
-    VBSS_SESSION_AID_HOVER = 16,
-    /** The tool and the jaws of a hand that has moved less than `hold_distance` for `hold_time` stay where
-     * they are, until the hand leaves this distance. */
-    VBSS_SESSION_AID_AUTO_HOLD = 32,
-    VBSS_SESSION_AID_ALL = 63 /**< All aids. */
-};
-
 /** Assistance of a session. Fill it with #vbss_session_assistance_init, then change fields. */
 typedef struct vbss_session_assistance {
     uint32_t struct_size; /**< Size of this struct in bytes, set by the init function. */
     uint32_t aids;        /**< VBSS_SESSION_AID_ bits of the aids that are on; default 0. */
-    double pace;          /**< Simulated time per time of the host, 0.25 to 1; default 0.5. */
+    double time_scale;    /**< Simulated time per time of the host, 0.25 to 1; default 0.5. */
     /** Direction of ARC and WIND, of any length from 1e-9 to 1e3. Default 0, 0, 0: from the first mark of
      * the stitch to the second one. */
     double direction[3];

@@ -11,7 +11,7 @@ _Static_assert(sizeof(vbss_session_hand) == 72, "published size");
 
 static const vbss_session_assistance defaults = {
     .struct_size = sizeof(vbss_session_assistance),
-    .pace = 0.5,
+    .time_scale = 0.5,
     .roll_step = 0.25 * VBSS_PI,
     .sink_speed = 4e-3,
     .hold_distance = 2e-3,
@@ -58,7 +58,7 @@ vbss_result vbss_session_read_assistance(vbss_context *context,
         const char *name;
         double value, low, high;
     } ranges[] = {
-        {"aids", own->aids, 0.0, VBSS_SESSION_AID_ALL},  {"pace", own->pace, 0.25, 1.0},
+        {"aids", own->aids, 0.0, VBSS_SESSION_AID_ALL},  {"time_scale", own->time_scale, 0.25, 1.0},
         {"roll_step", own->roll_step, 0.01, 3.2},        {"sink_speed", own->sink_speed, 0.0, 1.0},
         {"hold_distance", own->hold_distance, 0.0, 1.0}, {"hold_time", own->hold_time, 0.0, 10.0},
     };
@@ -119,10 +119,10 @@ bool vbss_session_is_hand_assisted(const session_object *s, uint32_t hand)
     return s->assistance.set.aids != 0 || s->assistance.hands[hand].is_relative != 0;
 }
 
-double vbss_session_paced_step(const session_object *s, double h)
+double vbss_session_scaled_step(const session_object *s, double h)
 {
     bool is_slow = (s->assistance.set.aids & (uint32_t)VBSS_SESSION_AID_SLOW_MOTION) != 0;
-    return is_slow ? s->assistance.set.pace * h : h;
+    return is_slow ? s->assistance.set.time_scale * h : h;
 }
 
 /* In a replay the log has the aids of each step in which one was switched. */
@@ -206,8 +206,8 @@ void vbss_session_visit_assistance(vbss_stream *stream, session_object *s)
         return;
     }
     vbss_stream_u32(stream, 90, &set->aids, 1);
-    double *const numbers[] = {&set->pace, &set->roll_step, &set->sink_speed, &set->hold_distance,
-                               &set->hold_time};
+    double *const numbers[] = {&set->time_scale, &set->roll_step, &set->sink_speed,
+                               &set->hold_distance, &set->hold_time};
     for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++) {
         vbss_stream_f64(stream, 91, numbers[i], 1);
     }

@@ -48,8 +48,8 @@ vbss_result vbss_session_step_scene(session_object *s, double h)
     if (s->config.replay != NULL) {
         return replay_scene_step(s);
     }
-    VBSS_TRY(vbss_scene_step(s->scene, vbss_session_paced_step(s, h)));
-    s->h = vbss_session_paced_step(s, h);
+    VBSS_TRY(vbss_scene_step(s->scene, vbss_session_scaled_step(s, h)));
+    s->h = vbss_session_scaled_step(s, h);
     return VBSS_OK;
 }
 

@@ -299,7 +299,7 @@ vbss_result vbss_session_give_input(session_object *s, uint32_t hand,
 /* Whether the input of a hand has to be changed before it moves the tool. */
 bool vbss_session_is_hand_assisted(const session_object *s, uint32_t hand);
 /* Length of a step for which the host asks for h, s. */
-double vbss_session_paced_step(const session_object *s, double h);
+double vbss_session_scaled_step(const session_object *s, double h);
 /* After the step of the scene: emits events of aids that were switched. */
 void vbss_session_update_aids(session_object *s);
 /* Whether the state of the assistance differs from that of a new session; whether its part that a replay

@@ -110,7 +110,7 @@ static void bad_events_change_nothing(void **state)
         vbss_metrics_event e = good;
         int32_t *const words[] = {&e.kind, &e.kind,       &e.kind,     &e.tool,
                                   &e.tool, &e.handedness, &e.relation, &e.wraps};
-        static const int32_t bad[] = {0, -1, VBSS_METRICS_EVENT_BROKEN + 1, 3, -1, 2, 4, 65};
+        static const int32_t bad[] = {0, -1, VBSS_METRICS_EVENT_ASSISTED + 1, 3, -1, 2, 4, 65};
         *words[i] = bad[i];
         expect_event(&f, &e, VBSS_ERROR_OUT_OF_RANGE);
     }

@@ -155,14 +155,14 @@ def test_an_assisted_task_gets_no_score(context):
     session = rig.session(metrics=metrics)
     session.step()
     assert session.assistance.aids == 0 and session.status.aids_used == 0
-    session.assist(vb.SessionAidBits.SLOW_MOTION | vb.SessionAidBits.HOVER, pace=0.25, sink_speed=3e-3)
-    assert session.assistance.pace == 0.25 and session.assistance.sink_speed == 3e-3
-    place = [0.0, 0.0, 0.1]
+    session.assist(vb.SessionAidBits.SLOW_MOTION | vb.SessionAidBits.HOVER, time_scale=0.25, sink_speed=3e-3)
+    assert session.assistance.time_scale == 0.25 and session.assistance.sink_speed == 3e-3
+    place = [0.0, 0.1, 0.0]
     for _ in range(101):
-        place[2] -= 1e-6  # 1 mm/s
+        place[1] -= 1e-6  # sinks by 1 mm/s
         session.move_hand(1, place, (0.70710678118654752, -0.70710678118654752, 0.0, 0.0), opening=0.5)
         session.step()
-    assert rig.tools[1].state.target_position[2] == pytest.approx(0.08)  # where it was
+    assert rig.tools[1].state.target_position[1] == pytest.approx(0.08)  # where it was
     assert rig.tools[1].state.opening == 0.5
     assert session.status.time == pytest.approx(101 * 0.25e-3)
     session.assist(0)
@@ -173,4 +173,4 @@ def test_an_assisted_task_gets_no_score(context):
     assert aids == [(8, 0), (16, 0), (8, 1), (16, 1)]
     assert metrics.report.flags & vb.MetricsFlagBits.ASSISTED and metrics.report.score == 0.0
     with pytest.raises(vb.errors.OutOfRangeError):
-        session.assist(vb.SessionAidBits.SLOW_MOTION, pace=2.0)
+        session.assist(vb.SessionAidBits.SLOW_MOTION, time_scale=2.0)

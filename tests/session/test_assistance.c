@@ -249,7 +249,7 @@ static double off_step(double steps)
     return fabs(steps - floor(steps + 0.5));
 }
 
-static void settle(hand_path *p)
+static void rest_hand(hand_path *p)
 {
     double before = steps_of_roll(p);
     for (int i = 0; i < 400; i++) {
@@ -272,13 +272,13 @@ static void roll_snaps_to_steps(void **state)
     begin(&p);
     turn(&p, vec3_make(0.2, 0.1, 0.3)); /* anyhow */
     switch_on(&p, VBSS_SESSION_AID_SNAP_ROLL);
-    settle(&p);
+    rest_hand(&p);
     assert_true(off_step(steps_of_roll(&p)) < 1e-9);
     double last = steps_of_roll(&p);
     int changes = 0;
     for (int i = 0; i < 16; i++) { /* a whole turn, by half steps */
         turn(&p, vec3_make(0.0, 0.0, 0.5 * EIGHTH));
-        settle(&p);
+        rest_hand(&p);
         const double now = steps_of_roll(&p);
         assert_true(off_step(now) < 1e-9);
         changes += fabs(now - last) > 0.5;
@@ -288,7 +288,7 @@ static void roll_snaps_to_steps(void **state)
     changes = 0;
     for (int i = 0; i < 20; i++) { /* a tremor about the middle between two steps */
         turn(&p, vec3_make(0.0, 0.0, (i % 2 == 0 ? 0.09 : -0.09) * EIGHTH));
-        settle(&p);
+        rest_hand(&p);
         changes += fabs(steps_of_roll(&p) - last) > 0.5;
         last = steps_of_roll(&p);
     }
@@ -311,7 +311,7 @@ static void time_goes_slower(void **state)
     begin(&p);
     vbss_session_assistance a = vbss_session_assistance_default();
     a.aids = VBSS_SESSION_AID_SLOW_MOTION;
-    a.pace = 0.25;
+    a.time_scale = 0.25;
     expect_ok(vbss_session_set_assistance(p.r.session, &a));
     step(&p); /* the clock begins at its end */
     for (int i = 0; i < 100; i++) {
@@ -424,9 +424,9 @@ static void bad_input_is_refused(void **state)
     a.aids = 64;
     expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_session_set_assistance(s, &a));
     a.aids = VBSS_SESSION_AID_ALL;
-    a.pace = 0.1;
+    a.time_scale = 0.1;
     expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_session_set_assistance(s, &a));
-    a.pace = 1.0;
+    a.time_scale = 1.0;
     a.direction[1] = 1e-12;
     expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_session_set_assistance(s, &a));
     expect_ok(vbss_session_get_assistance(s, &a, sizeof a));

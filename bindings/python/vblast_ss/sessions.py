@@ -4,10 +4,10 @@ from __future__ import annotations
 import ctypes
 from typing import Any, Callable, Optional, Sequence
 
-from ._api.session import (SessionEvent, SessionEventKind, SessionFailure, SessionPhase, SessionStage, SessionStatus,
+from ._api.session import (SessionAidBits, SessionEvent, SessionEventKind, SessionFailure, SessionPhase, SessionStage, SessionStatus,
                            vbss_session, vbss_session_config, vbss_session_event, vbss_session_event_fn,
                            vbss_session_status)
-from ._api.session_assistance import (SessionAidBits, SessionAssistance, vbss_session_assistance, vbss_session_hand)
+from ._api.session_assistance import vbss_session_assistance, vbss_session_hand
 from ._api.session_coaching import (SessionCoaching, SessionGeometryBits, SessionGoal, SessionMistake,
                                     vbss_session_coaching)
 from ._library import lib
@@ -19,7 +19,7 @@ from .metrics import Metrics
 from .records import Record, Replay
 from .scene import Scene
 
-__all__ = ["Session", "SessionAidBits", "SessionAssistance", "SessionCoaching", "SessionEvent", "SessionEventKind", "SessionFailure", "SessionGeometryBits",
+__all__ = ["Session", "SessionAidBits", "SessionCoaching", "SessionEvent", "SessionEventKind", "SessionFailure", "SessionGeometryBits",
            "SessionGoal", "SessionMistake", "SessionPhase", "SessionStage", "SessionStatus"]
 
 
@@ -112,9 +112,11 @@ class Session(Configured, Saved):
         return self._read("get_coaching", SessionCoaching, vbss_session_coaching)
 
     @property
-    def assistance(self) -> SessionAssistance:
-        """The aids that are on, SessionAidBits, and their settings."""
-        return self._read("get_assistance", SessionAssistance, vbss_session_assistance)
+    def assistance(self) -> vbss_session_assistance:
+        """A copy of the aids that are on, SessionAidBits, and their settings."""
+        struct = vbss_session_assistance()
+        self._call(lib.vbss_session_get_assistance, ctypes.byref(struct), ctypes.sizeof(struct))
+        return struct
 
     def assist(self, aids: int, **settings: Any) -> None:
         """Switches aids on, SessionAidBits, and all others off, from the next step on; settings are those of

@@ -1,56 +1,14 @@
 // Written by bindings/csharp/generate.py from the public headers: do not edit.
-using System;
 using System.Runtime.InteropServices;
 
 namespace VblastSs
 {
-    /// <summary>
-    /// Bits of the aids. "Along the direction" means: by the component of the hand's movement along
-    /// vbss_session_assistance.direction.
-    /// </summary>
-    [Flags]
-    public enum SessionAidBits : uint
-    {
-        /// <summary>
-        /// A hand that holds the needle turns it about the centre of its arc and moves it in no
-        /// other way. Movement along the direction drives the tip forward by the same length of
-        /// arc. Turns of the hand are ignored. Acts before the first throw.
-        /// </summary>
-        Arc = 1,
-        /// <summary>
-        /// A hand that holds the needle goes round the jaws of the other tool. Movement along the
-        /// direction winds in the sense that the next throw needs. The radius stays, between 8 mm
-        /// and 45 mm. Turns of the hand turn the tool as without the aid. Acts in the phases of
-        /// throws.
-        /// </summary>
-        Wind = 2,
-        /// <summary>
-        /// The roll of each tool about its shaft is the nearest multiple of `roll_step` from the
-        /// roll in which the jaws open along the slit.
-        /// </summary>
-        SnapRoll = 4,
-        /// <summary>Each step of the session is `pace` times as long as the host asks for.</summary>
-        SlowMotion = 8,
-        /// <summary>
-        /// A hand that sinks slower than `sink_speed` leaves its tool at the same height, for arms
-        /// without support.
-        /// </summary>
-        Hover = 16,
-        /// <summary>
-        /// The tool and the jaws of a hand that has moved less than `hold_distance` for `hold_time`
-        /// stay where they are, until the hand leaves this distance.
-        /// </summary>
-        AutoHold = 32,
-        /// <summary>All aids.</summary>
-        All = 63,
-    }
-
     [StructLayout(LayoutKind.Sequential)]
     internal struct SessionAssistanceData
     {
         internal uint StructSize;
         internal SessionAidBits Aids;
-        internal double Pace;
+        internal double TimeScale;
         internal Vector3d Direction;
         internal double RollStep;
         internal double SinkSpeed;
@@ -80,10 +38,10 @@ namespace VblastSs
         }
 
         /// <summary>Simulated time per time of the host, 0.25 to 1; default 0.5.</summary>
-        public double Pace
+        public double TimeScale
         {
-            get { return box[0].Pace; }
-            set { box[0].Pace = value; }
+            get { return box[0].TimeScale; }
+            set { box[0].TimeScale = value; }
         }
 
         /// <summary>

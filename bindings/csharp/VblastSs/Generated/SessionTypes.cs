@@ -147,11 +147,52 @@ namespace VblastSs
         /// </summary>
         Mistake = 20,
         /// <summary>
-        /// The aid `number`, a VBSS_SESSION_AID_ bit (session_assistance.h), was switched on: the
-        /// task is assisted and gets no score. `amount` is 1 for the first time, then 0. Undone:
-        /// the aid was switched off.
+        /// The aid `number`, a VBSS_SESSION_AID_ bit, was switched on: the task is assisted and
+        /// gets no score. `amount` is 1 for the first time, then 0. Undone: the aid was switched
+        /// off.
         /// </summary>
         Aid = 21,
+    }
+
+    /// <summary>
+    /// Bits of the aids (session_assistance.h). "Along the direction" means: by the component of
+    /// the hand's movement along vbss_session_assistance.direction.
+    /// </summary>
+    [Flags]
+    public enum SessionAidBits : uint
+    {
+        /// <summary>
+        /// A hand that holds the needle turns it about the centre of its arc and moves it in no
+        /// other way. Movement along the direction drives the tip forward by the same length of
+        /// arc. Turns of the hand are ignored. Acts before the first throw.
+        /// </summary>
+        Arc = 1,
+        /// <summary>
+        /// A hand that holds the needle goes round the jaws of the other tool. Movement along the
+        /// direction winds in the sense that the next throw needs. The radius stays, between 8 mm
+        /// and 45 mm. Turns of the hand turn the tool as without the aid. Acts in the phases of
+        /// throws.
+        /// </summary>
+        Wind = 2,
+        /// <summary>
+        /// The roll of each tool about its shaft is the nearest multiple of `roll_step` from the
+        /// roll in which the jaws open along the slit.
+        /// </summary>
+        SnapRoll = 4,
+        /// <summary>Each step of the session is `time_scale` times as long as the host asks for.</summary>
+        SlowMotion = 8,
+        /// <summary>
+        /// A hand that sinks slower than `sink_speed` leaves its tool at the same height, for arms
+        /// without support.
+        /// </summary>
+        Hover = 16,
+        /// <summary>
+        /// The tool and the jaws of a hand that has moved less than `hold_distance` for `hold_time`
+        /// stay where they are, until the hand leaves this distance.
+        /// </summary>
+        AutoHold = 32,
+        /// <summary>All aids.</summary>
+        All = 63,
     }
 
     /// <summary>The constants of vbss_session_gap.</summary>

@@ -3,7 +3,7 @@ from __future__ import annotations
 
 import ctypes
 from ctypes import CFUNCTYPE, POINTER, c_double, c_int32, c_uint32, c_uint64, c_uint8, c_void_p
-from enum import IntEnum
+from enum import IntEnum, IntFlag
 from typing import Any, ClassVar, NamedTuple
 
 from .device import vbss_device
@@ -11,7 +11,6 @@ from .knot import KnotFaultBits, vbss_knot_detector
 from .metrics import MetricsRelation, MetricsTool, vbss_metrics
 from .record import vbss_record, vbss_replay
 from .scene import vbss_scene
-from .session_assistance import SessionAidBits
 
 
 class SessionPhase(IntEnum):
@@ -133,9 +132,34 @@ class SessionEventKind(IntEnum):
     """Only with `coaching`: the mistake `number`, a VBSS_SESSION_MISTAKE_ constant, is made.
     Undone: it is mended or past."""
     AID = 21
-    """The aid `number`, a VBSS_SESSION_AID_ bit (session_assistance.h), was switched on: the task
-    is assisted and gets no score. `amount` is 1 for the first time, then 0. Undone: the aid was
-    switched off."""
+    """The aid `number`, a VBSS_SESSION_AID_ bit, was switched on: the task is assisted and gets no
+    score. `amount` is 1 for the first time, then 0. Undone: the aid was switched off."""
+
+
+class SessionAidBits(IntFlag):
+    """Bits of the aids (session_assistance.h). "Along the direction" means: by the component of
+    the hand's movement along vbss_session_assistance.direction."""
+    ARC = 1
+    """A hand that holds the needle turns it about the centre of its arc and moves it in no other
+    way. Movement along the direction drives the tip forward by the same length of arc. Turns of
+    the hand are ignored. Acts before the first throw."""
+    WIND = 2
+    """A hand that holds the needle goes round the jaws of the other tool. Movement along the
+    direction winds in the sense that the next throw needs. The radius stays, between 8 mm and
+    45 mm. Turns of the hand turn the tool as without the aid. Acts in the phases of throws."""
+    SNAP_ROLL = 4
+    """The roll of each tool about its shaft is the nearest multiple of `roll_step` from the roll
+    in which the jaws open along the slit."""
+    SLOW_MOTION = 8
+    """Each step of the session is `time_scale` times as long as the host asks for."""
+    HOVER = 16
+    """A hand that sinks slower than `sink_speed` leaves its tool at the same height, for arms
+    without support."""
+    AUTO_HOLD = 32
+    """The tool and the jaws of a hand that has moved less than `hold_distance` for `hold_time`
+    stay where they are, until the hand leaves this distance."""
+    ALL = 63
+    """All aids."""
 
 
 class SessionGap(IntEnum):

@@ -3,36 +3,9 @@ from __future__ import annotations
 
 import ctypes
 from ctypes import POINTER, c_double, c_int32, c_uint32
-from enum import IntFlag
 from typing import Any, ClassVar
 
-from .session import vbss_session
-
-
-class SessionAidBits(IntFlag):
-    """Bits of the aids. "Along the direction" means: by the component of the hand's movement along
-    vbss_session_assistance.direction."""
-    ARC = 1
-    """A hand that holds the needle turns it about the centre of its arc and moves it in no other
-    way. Movement along the direction drives the tip forward by the same length of arc. Turns of
-    the hand are ignored. Acts before the first throw."""
-    WIND = 2
-    """A hand that holds the needle goes round the jaws of the other tool. Movement along the
-    direction winds in the sense that the next throw needs. The radius stays, between 8 mm and
-    45 mm. Turns of the hand turn the tool as without the aid. Acts in the phases of throws."""
-    SNAP_ROLL = 4
-    """The roll of each tool about its shaft is the nearest multiple of `roll_step` from the roll
-    in which the jaws open along the slit."""
-    SLOW_MOTION = 8
-    """Each step of the session is `pace` times as long as the host asks for."""
-    HOVER = 16
-    """A hand that sinks slower than `sink_speed` leaves its tool at the same height, for arms
-    without support."""
-    AUTO_HOLD = 32
-    """The tool and the jaws of a hand that has moved less than `hold_distance` for `hold_time`
-    stay where they are, until the hand leaves this distance."""
-    ALL = 63
-    """All aids."""
+from .session import SessionAidBits, vbss_session
 
 
 class vbss_session_assistance(ctypes.Structure):
@@ -40,7 +13,7 @@ class vbss_session_assistance(ctypes.Structure):
 
     aids: VBSS_SESSION_AID_ bits of the aids that are on; default 0.
 
-    pace: Simulated time per time of the host, 0.25 to 1; default 0.5.
+    time_scale: Simulated time per time of the host, 0.25 to 1; default 0.5.
 
     direction: Direction of ARC and WIND, of any length from 1e-9 to 1e3. Default 0, 0, 0: from
     the first mark of the stitch to the second one.
@@ -54,7 +27,7 @@ class vbss_session_assistance(ctypes.Structure):
     hold_time: Time after which a hand that rests is idle, s, 0 to 10; default 0.7."""
     struct_size: int
     aids: int
-    pace: float
+    time_scale: float
     direction: Any
     roll_step: float
     sink_speed: float
@@ -64,7 +37,7 @@ class vbss_session_assistance(ctypes.Structure):
     _fields_ = [
         ("struct_size", c_uint32),
         ("aids", c_uint32),
-        ("pace", c_double),
+        ("time_scale", c_double),
         ("direction", c_double * 3),
         ("roll_step", c_double),
         ("sink_speed", c_double),

@@ -130,10 +130,34 @@ pub const VBSS_SESSION_EVENT_GOAL: vbss_session_event_kind = 19;
 /// Only with `coaching`: the mistake `number`, a VBSS_SESSION_MISTAKE_ constant, is made. Undone:
 /// it is mended or past.
 pub const VBSS_SESSION_EVENT_MISTAKE: vbss_session_event_kind = 20;
-/// The aid `number`, a VBSS_SESSION_AID_ bit (session_assistance.h), was switched on: the task is
+/// The aid `number`, a VBSS_SESSION_AID_ bit, was switched on: the task is
 /// assisted and gets no score. `amount` is 1 for the first time, then 0. Undone: the aid was switched
 /// off.
 pub const VBSS_SESSION_EVENT_AID: vbss_session_event_kind = 21;
+
+// Bits of the aids (session_assistance.h). "Along the direction" means: by the component of the hand's movement along
+// vbss_session_assistance.direction.
+/// A hand that holds the needle turns it about the centre of its arc and moves it in no other way.
+/// Movement along the direction drives the tip forward by the same length of arc. Turns of the hand
+/// are ignored. Acts before the first throw.
+pub const VBSS_SESSION_AID_ARC: u32 = 1;
+/// A hand that holds the needle goes round the jaws of the other tool. Movement along the
+/// direction winds in the sense that the next throw needs. The radius stays, between 8 mm and
+/// 45 mm. Turns of the hand turn the tool as without the aid. Acts in the phases of throws.
+pub const VBSS_SESSION_AID_WIND: u32 = 2;
+/// The roll of each tool about its shaft is the nearest multiple of `roll_step` from the roll in
+/// which the jaws open along the slit.
+pub const VBSS_SESSION_AID_SNAP_ROLL: u32 = 4;
+/// Each step of the session is `time_scale` times as long as the host asks for.
+pub const VBSS_SESSION_AID_SLOW_MOTION: u32 = 8;
+/// A hand that sinks slower than `sink_speed` leaves its tool at the same height, for arms
+/// without support.
+pub const VBSS_SESSION_AID_HOVER: u32 = 16;
+/// The tool and the jaws of a hand that has moved less than `hold_distance` for `hold_time` stay where
+/// they are, until the hand leaves this distance.
+pub const VBSS_SESSION_AID_AUTO_HOLD: u32 = 32;
+/// All aids.
+pub const VBSS_SESSION_AID_ALL: u32 = 63;
 
 // The constants of vbss_session_gap.
 /// Gap between the lips, which are as high as the wall: vbss_drain_gap.opening. A wall that

@@ -3,30 +3,6 @@
 use crate::*;
 
 
-// Bits of the aids. "Along the direction" means: by the component of the hand's movement along
-// vbss_session_assistance.direction.
-/// A hand that holds the needle turns it about the centre of its arc and moves it in no other way.
-/// Movement along the direction drives the tip forward by the same length of arc. Turns of the hand
-/// are ignored. Acts before the first throw.
-pub const VBSS_SESSION_AID_ARC: u32 = 1;
-/// A hand that holds the needle goes round the jaws of the other tool. Movement along the
-/// direction winds in the sense that the next throw needs. The radius stays, between 8 mm and
-/// 45 mm. Turns of the hand turn the tool as without the aid. Acts in the phases of throws.
-pub const VBSS_SESSION_AID_WIND: u32 = 2;
-/// The roll of each tool about its shaft is the nearest multiple of `roll_step` from the roll in
-/// which the jaws open along the slit.
-pub const VBSS_SESSION_AID_SNAP_ROLL: u32 = 4;
-/// Each step of the session is `pace` times as long as the host asks for.
-pub const VBSS_SESSION_AID_SLOW_MOTION: u32 = 8;
-/// A hand that sinks slower than `sink_speed` leaves its tool at the same height, for arms
-/// without support.
-pub const VBSS_SESSION_AID_HOVER: u32 = 16;
-/// The tool and the jaws of a hand that has moved less than `hold_distance` for `hold_time` stay where
-/// they are, until the hand leaves this distance.
-pub const VBSS_SESSION_AID_AUTO_HOLD: u32 = 32;
-/// All aids.
-pub const VBSS_SESSION_AID_ALL: u32 = 63;
-
 /// Assistance of a session. Fill it with vbss_session_assistance_init, then change fields.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
@@ -36,7 +12,7 @@ pub struct vbss_session_assistance {
     /// VBSS_SESSION_AID_ bits of the aids that are on; default 0.
     pub aids: u32,
     /// Simulated time per time of the host, 0.25 to 1; default 0.5.
-    pub pace: f64,
+    pub time_scale: f64,
     /// Direction of ARC and WIND, of any length from 1e-9 to 1e3. Default 0, 0, 0: from the first mark of
     /// the stitch to the second one.
     pub direction: [f64; 3],
