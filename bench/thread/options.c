@@ -21,9 +21,9 @@ enum { SEGMENTS = 300, STEPS = 300, REPETITIONS = 15, QUICK_REPETITIONS = 3 };
 
 typedef struct option_case {
     const char *name;
+    double yield, relaxation, torsion;
     bool
         is_clamped_twice; /* both ends come together while one rolls; else one is clamped and the thread falls */
-    double yield, relaxation, torsion;
     bool is_quick;
 } option_case;
 

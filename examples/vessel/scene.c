@@ -41,7 +41,8 @@ static vbss_result add_pelvis(vessel_scene *s)
     const uint32_t row = PELVIS_CELLS + 1;
     for (uint32_t i = 0; i < PELVIS_VERTICES; i++) {
         double *v = s->vertices[i];
-        v[0] = extent[0] * ((double)(i / row) / PELVIS_CELLS - 0.5);
+        const uint32_t column = i / row;
+        v[0] = extent[0] * ((double)column / PELVIS_CELLS - 0.5);
         v[1] = extent[1] * ((double)(i % row) / PELVIS_CELLS - 0.5);
         v[2] = height_at(v[0], v[1], s->axis);
     }
@@ -66,8 +67,9 @@ static vbss_result add_vessel(vessel_scene *s)
     static uint32_t triangles[VESSEL_TRIANGLES][3], anchors[2 * VESSEL_AROUND];
     for (uint32_t i = 0; i < VESSEL_NODES; i++) {
         const double angle = 2.0 * pi * (i % VESSEL_AROUND) / VESSEL_AROUND;
+        const uint32_t ring = i / VESSEL_AROUND;
         positions[i][0] = radius * vbss_cos(angle);
-        positions[i][1] = length * ((double)(i / VESSEL_AROUND) / VESSEL_CELLS - 0.5);
+        positions[i][1] = length * ((double)ring / VESSEL_CELLS - 0.5);
         positions[i][2] = radius * vbss_sin(angle);
     }
     for (uint32_t i = 0; i < VESSEL_AROUND * VESSEL_CELLS; i++) {

@@ -58,7 +58,8 @@ static double at(vbss_scene *scene, uint32_t body, vbss_thread_field field, uint
     expect_ok(vbss_scene_get_thread(scene, body, &thread));
     expect_ok(vbss_thread_get_view(thread, field, &view, sizeof view));
     assert_true(entry < view.count);
-    return *(const double *)(const void *)((const char *)view.data + entry * view.stride_bytes);
+    return *(const double *)(const void *)((const char *)view.data +
+                                           (size_t)entry * view.stride_bytes);
 }
 
 /* In the scene that the log describes: there is no other knowledge of twist and memory. */
