@@ -446,7 +446,7 @@ static void bad_input_is_refused(void **state)
     expect_result(VBSS_ERROR_OUT_OF_RANGE,
                   vbss_session_move_hand(s, VBSS_METRICS_TOOL_LEFT, &hand));
     hand.opening = 1.0;
-    hand.position[1] = NAN;
+    hand.position[1] = (double)NAN;
     expect_result(VBSS_ERROR_NOT_FINITE, vbss_session_move_hand(s, VBSS_METRICS_TOOL_LEFT, &hand));
     hand.position[1] = 0.0;
     memset(hand.orientation, 0, sizeof hand.orientation);
