@@ -191,10 +191,10 @@ vbss_result vessel_pull(vessel_scene *s, double force)
 double vessel_clearance(const vessel_scene *s)
 {
     vbss_view view;
-    double smallest = INFINITY;
+    double smallest = (double)INFINITY;
     if (vbss_thread_get_view(s->thread, VBSS_THREAD_VIEW_POSITIONS, &view, sizeof view) !=
         VBSS_OK) {
-        return -INFINITY;
+        return -(double)INFINITY;
     }
     const double(*x)[3] = (const double(*)[3])view.data;
     for (uint64_t i = 0; i < view.count; i++) {
@@ -210,7 +210,7 @@ double vessel_clearance(const vessel_scene *s)
 double vessel_narrowest(const vessel_scene *s)
 {
     vbss_view view;
-    double narrowest = INFINITY;
+    double narrowest = (double)INFINITY;
     if (vbss_drain_get_view(s->vessel, VBSS_DRAIN_VIEW_POSITIONS, &view, sizeof view) != VBSS_OK) {
         return 0.0;
     }
