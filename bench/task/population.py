@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""How many scripted surgeons do the whole task, over seeds that nobody has chosen.
+"""Counts how many scripted surgeons complete the task, over seeds that are derived from a commit.
 
     bench/task/population.py build/release/examples/surgeon/surgeon --of REVISION [--skill expert] [--count 100]
 

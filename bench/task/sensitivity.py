@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""How the outcome of the task depends on what is unknown of the thread: the scripted surgeon with several seeds at each setting of
-bending stiffness, friction and yield, one changed at a time. docs/notebook/knots-literature.md tells why these ranges.
+"""Runs the scripted surgeon with several seeds at each setting of the bending stiffness, friction and yield of the thread, one changed at a
+time, and counts the tasks that it completes. docs/notebook/knots-literature.md tells why these ranges.
 
     sensitivity.py [--build build/release] [--out build/bench/sensitivity.jsonl] [--seeds 20] [--first 0] [--seconds S] [-j N]
-    sensitivity.py --table [--out ...]      what is there so far, as tables
+    sensitivity.py --table [--out ...]      prints tables of the finished performances
 
 Resumable: each finished performance is a line of the output, and the next call begins with the first that is missing. --seconds ends the
 run after the performances that are under way then. Budgets are the default operations, so results do not depend on the machine.

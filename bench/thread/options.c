@@ -1,7 +1,7 @@
 /* What each option of the thread costs: a thread of 300 segments with it and one without it make the same motion, step by step in
  * turns, so that both see the same machine. The least CPU time of each step over all repetitions counts. Counters:
  *   ratio: time with the option over time without it, of all steps;
- *   iteration_ratio: the same of linearisations.
+ *   iteration_ratio: linearisations with the option over those without it.
  * Case off compares two threads without options: its ratio shows how far others may be wrong.
  *
  *     ./bench/run.sh thread --filter thread/options */

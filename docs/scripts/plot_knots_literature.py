@@ -25,7 +25,9 @@ PUBLISHED = {("square", "silk"): True, ("square", "polyglactin"): False, ("squar
              ("square", "nylon"): False, ("surgeon's", "polyglactin"): False, ("surgeon's", "polypropylene"): False,
              ("surgeon's", "nylon"): False, ("fls", "silk"): True, ("fls", "polyglactin"): True,
              ("fls", "polypropylene"): True, ("fls", "nylon"): False}
-LEAST, LIMIT, ABOVE = 1e-2, 10.0, 16.0  # N: what is below is drawn there; where the test ends; where PUBLISHED is drawn
+FLOOR = 1e-2  # N: smaller forces are drawn here
+LIMIT = 10.0  # N: the test ends at this force
+ABOVE = 16.0  # N: the words of publications are drawn here
 FRICTION, SEATING = 0.3, 5.0
 
 
@@ -60,7 +62,7 @@ def draw_knots(axes, runs):
         for k, knot in enumerate(KNOTS):
             forces = [min(r["holds_N"], LIMIT) for r in runs
                       if (name_of(r), r["knot"], r["friction"], r["force"]) == (material, knot, FRICTION, SEATING)]
-            axes.plot([k + 0.13 * (m - 2.5)] * len(forces), [max(f, LEAST) for f in forces], "o", color=COLOURS[m], ms=4)
+            axes.plot([k + 0.13 * (m - 2.5)] * len(forces), [max(f, FLOOR) for f in forces], "o", color=COLOURS[m], ms=4)
         axes.plot([], [], "o", color=COLOURS[m], ms=4, label=material)
         for k, knot in enumerate(KNOTS):
             if (knot, material) in PUBLISHED:
@@ -69,7 +71,7 @@ def draw_knots(axes, runs):
     axes.plot([], [], "x", color="black", ms=5, label="published: slips or unties first")
     axes.axhline(LIMIT, color="black", lw=0.6, ls="--")
     axes.set_yscale("log")
-    axes.set_ylim(0.8 * LEAST, 25.0)
+    axes.set_ylim(0.8 * FLOOR, 25.0)
     axes.set_xticks(range(len(KNOTS)), ["square, 1=1", "granny, 1x1", "surgeon's, 2=1", "three throws, 2=1=1"], fontsize=7)
     axes.set_xlim(-0.6, len(KNOTS) - 0.4)
     axes.set_ylabel(f"held, N (friction {FRICTION}, seated with {SEATING:g} N; {LIMIT:g}: the test ends)", fontsize=7)

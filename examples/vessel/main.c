@@ -38,7 +38,7 @@ static painter_result paint(painter *p, const vessel_scene *s, const char *text)
                                        (size_t)triangles.count, PAINTER_VERMILION);
     }
     if (result == PAINTER_OK) {
-        result = painter_add_chain(p, thread.data, (size_t)thread.count, 0, 0.125e-3,
+        result = painter_add_chain(p, thread.data, (size_t)thread.count, 0, VESSEL_THREAD_RADIUS,
                                    PAINTER_VIOLET, NULL);
     }
     if (result == PAINTER_OK) {

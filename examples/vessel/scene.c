@@ -4,17 +4,11 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/error.h"
+#include "base/pi.h"
 #include "fixtures/knots.h"
 
-#define TRY(call)                       \
-    do {                                \
-        const vbss_result got = (call); \
-        if (got != VBSS_OK) {           \
-            return got;                 \
-        }                               \
-    } while (0)
-
-/* An artery of 5 mm: Young's modulus of the order of those that are published for arteries, 0.2 to 1 MPa. */
+/* A soft vessel of 5 mm. Sizes and stiffness are chosen: they come from no measurement. */
 static const double radius = 2.5e-3, length = 40e-3, wall = 0.4e-3, young = 0.5e6;
 /* The surface bears the vessel near its ends. Between them it is a little lower, so that the loop fits below; beyond them, and
  * to the sides, it rises as the walls of a pelvis do. */
@@ -22,7 +16,6 @@ static const double pelvis_wall = 0.5e-3, extent[2] = {60e-3, 76e-3}, clearance 
                     hollow = 2e-3, hollow_width = 9e-3, side_rise = 3.0 /* 1/m */,
                     end_rise = 45.0 /* 1/m */;
 static const double speed = 15e-3 /* m/s, of each hand */, arm = 400.0 /* N/m */, arm_damping = 0.5;
-static const double pi = 3.14159265358979323846;
 
 /* ---- bodies */
 
@@ -66,7 +59,7 @@ static vbss_result add_vessel(vessel_scene *s)
     static double positions[VESSEL_NODES][3];
     static uint32_t triangles[VESSEL_TRIANGLES][3], anchors[2 * VESSEL_AROUND];
     for (uint32_t i = 0; i < VESSEL_NODES; i++) {
-        const double angle = 2.0 * pi * (i % VESSEL_AROUND) / VESSEL_AROUND;
+        const double angle = 2.0 * VBSS_PI * (i % VESSEL_AROUND) / VESSEL_AROUND;
         const uint32_t ring = i / VESSEL_AROUND;
         positions[i][0] = radius * vbss_cos(angle);
         positions[i][1] = length * ((double)ring / VESSEL_CELLS - 0.5);
@@ -98,7 +91,7 @@ static vbss_result add_vessel(vessel_scene *s)
     config.friction = 0.15; /* wet */
     config.tear_stress = 1e9;
     config.position[2] = s->axis;
-    TRY(vbss_drain_create(s->context, &config, &s->vessel));
+    VBSS_TRY(vbss_drain_create(s->context, &config, &s->vessel));
     return vbss_scene_add_drain(s->scene, s->vessel, &s->vessel_body);
 }
 
@@ -125,12 +118,13 @@ static vbss_result add_thread(vessel_scene *s, const vec3 *x, const double *rest
     for (uint32_t i = 0; i < config.segment_count; i++) {
         config.length += rest[i];
     }
+    config.radius = VESSEL_THREAD_RADIUS;
     config.gravity[0] = config.gravity[1] = 0.0;
     config.gravity[2] = -9.81;
-    TRY(vbss_thread_create(s->context, &config, &s->thread));
-    TRY(vbss_scene_add_thread(s->scene, s->thread, &s->thread_body));
+    VBSS_TRY(vbss_thread_create(s->context, &config, &s->thread));
+    VBSS_TRY(vbss_scene_add_thread(s->scene, s->thread, &s->thread_body));
     s->node_count = line->node_count;
-    TRY(vbss_thread_attachment_init(&hand, sizeof hand));
+    VBSS_TRY(vbss_thread_attachment_init(&hand, sizeof hand));
     hand.kind = VBSS_THREAD_ATTACHMENT_SPRING;
     hand.stiffness = arm;
     hand.damping = arm_damping;
@@ -138,7 +132,7 @@ static vbss_result add_thread(vessel_scene *s, const vec3 *x, const double *rest
         hand.node = k == 0 ? 0 : config.segment_count;
         memcpy(s->at[k], &x[hand.node].x, sizeof s->at[k]);
         memcpy(hand.position, s->at[k], sizeof hand.position);
-        TRY(vbss_thread_attach(s->thread, &hand, &s->hands[k]));
+        VBSS_TRY(vbss_thread_attach(s->thread, &hand, &s->hands[k]));
     }
     return VBSS_OK;
 }
@@ -150,16 +144,16 @@ vbss_result vessel_create(vbss_context *context, vessel_scene *s)
     knot_line line;
     memset(s, 0, sizeof *s);
     s->context = context;
-    TRY(make_line(x, rest, &line));
+    VBSS_TRY(make_line(x, rest, &line));
     vbss_scene_config config = vbss_scene_config_default();
     config.mode = VBSS_SCENE_MODE_OFFLINE; /* each call finishes its step */
     config.contact_capacity = 4096;
     config.candidate_capacity = 65536;
-    TRY(vbss_scene_create(context, &config, &s->scene));
+    VBSS_TRY(vbss_scene_create(context, &config, &s->scene));
     s->axis = line.cylinder_begin.z;
-    TRY(add_vessel(s));
-    TRY(add_pelvis(s));
-    TRY(add_thread(s, x, rest, &line));
+    VBSS_TRY(add_vessel(s));
+    VBSS_TRY(add_pelvis(s));
+    VBSS_TRY(add_thread(s, x, rest, &line));
     s->initial_area = vessel_narrowest(s);
     return VBSS_OK;
 }
@@ -170,7 +164,7 @@ vbss_result vessel_create(vbss_context *context, vessel_scene *s)
 static vbss_result move_hand(vessel_scene *s, int k, double force)
 {
     vbss_thread_reaction reaction;
-    TRY(vbss_thread_get_reaction(s->thread, s->hands[k], &reaction, sizeof reaction));
+    VBSS_TRY(vbss_thread_get_reaction(s->thread, s->hands[k], &reaction, sizeof reaction));
     const double *f = reaction.force;
     s->force[k] = sqrt(f[0] * f[0] + f[1] * f[1] + f[2] * f[2]);
     const double lacking = (force - s->force[k]) / force; /* slower as it comes near */
@@ -181,12 +175,12 @@ static vbss_result move_hand(vessel_scene *s, int k, double force)
 
 vbss_result vessel_pull(vessel_scene *s, double force)
 {
-    TRY(move_hand(s, 0, force));
-    TRY(move_hand(s, 1, force));
+    VBSS_TRY(move_hand(s, 0, force));
+    VBSS_TRY(move_hand(s, 1, force));
     return vbss_scene_step(s->scene, VESSEL_STEP);
 }
 
-/* ---- what is measured */
+/* ---- measures */
 
 double vessel_clearance(const vessel_scene *s)
 {
@@ -200,7 +194,7 @@ double vessel_clearance(const vessel_scene *s)
     for (uint64_t i = 0; i < view.count; i++) {
         if (fabs(x[i][0]) <= 0.5 * extent[0]) {
             const double touching =
-                height_at(x[i][0], x[i][1], s->axis) + 0.5 * pelvis_wall + 0.125e-3;
+                height_at(x[i][0], x[i][1], s->axis) + 0.5 * pelvis_wall + VESSEL_THREAD_RADIUS;
             smallest = fmin(smallest, x[i][2] - touching);
         }
     }

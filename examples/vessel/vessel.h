@@ -4,7 +4,8 @@
 
 #include <vblast_ss/vblast_ss.h>
 
-#define VESSEL_STEP 1e-3 /* s */
+#define VESSEL_STEP 1e-3              /* s */
+#define VESSEL_THREAD_RADIUS 0.125e-3 /* m */
 enum {
     VESSEL_AROUND = 20, /* nodes of a ring */
     VESSEL_CELLS = 30,  /* between the rings */

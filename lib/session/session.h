@@ -290,7 +290,7 @@ vbss_session_assistance vbss_session_default_assistance(void);
 vbss_result vbss_session_read_assistance(vbss_context *context,
                                          const vbss_session_assistance *assistance,
                                          vbss_session_assistance *own);
-/* Copies what was set to the struct of a host. VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_STRUCT_SIZE. */
+/* Copies the settings of the aids to the struct of a host. VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_STRUCT_SIZE. */
 vbss_result vbss_session_write_assistance(const session_object *s, vbss_session_assistance *out,
                                           uint32_t struct_size);
 /* Stores the input of a host for the next step. Errors are those of vbss_session_move_hand. */

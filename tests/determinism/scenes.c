@@ -281,7 +281,7 @@ static void run_scene(scene_scene_kind kind, uint64_t *hashes, size_t count)
     must(vbss_context_destroy(context));
 }
 
-/* Twist, and plastic and viscous bending; what has neither is in the other scenes. */
+/* Threads with twist, and with plastic and viscous bending. No other scene has such threads. */
 static void run_scene_roll(uint64_t *hashes, size_t count)
 {
     vbss_context *context;
