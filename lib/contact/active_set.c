@@ -220,6 +220,32 @@ static void soften_or_stiffen(contact_set *set, contact_active_set_progress *pro
     }
 }
 
+/* The yield force of a sleeve rises with its transverse force. Where that is nearly zero its direction may turn with each
+ * solve, so that two solutions alternate. The linearisation then takes the mean of the last transverse forces, which
+ * has no direction. */
+static void lag_cycling_sleeves(contact_set *set, const contact_active_set_options *options)
+{
+    for (uint32_t i = 0; i < set->count; i++) {
+        contact_constraint *constraint = &set->constraints[i];
+        contact_solution next;
+        if (constraint->is_sleeve &&
+            vbss_contact_update_solution(constraint, relative_motion(constraint, options->system),
+                                         &next) > 0.0) {
+            const double transverse = vec3_norm(next.tangential_force),
+                         lagged = constraint->lagged_transverse;
+            constraint->lagged_transverse =
+                lagged == 0.0 ? transverse : 0.5 * (lagged + transverse);
+        }
+    }
+}
+
+static void clear_lags(contact_set *set)
+{
+    for (uint32_t i = 0; i < set->count; i++) {
+        set->constraints[i].lagged_transverse = 0.0;
+    }
+}
+
 /* Classifies the last solve: converged, inexact, or not converged. */
 static contact_outcome classify_outcome(const contact_active_set_options *options,
                                         const contact_active_set_progress *progress,
@@ -279,6 +305,11 @@ static contact_outcome iterate_active_set(contact_set *set,
         track_convergence(progress, options, &residual, first);
         contact_outcome outcome = classify_outcome(options, progress, &residual);
         set->residual = residual.force;
+        if (outcome == CONTACT_NOT_CONVERGED &&
+            progress->stalled_solves >= CONTACT_LAG_STALLED_SOLVES) {
+            lag_cycling_sleeves(set, options);
+            progress->has_lagged = true;
+        }
         if (outcome == CONTACT_NOT_CONVERGED) {
             advance_iterates(set, options, first && !options->starts_from_current,
                              progress->has_softened);
@@ -328,6 +359,9 @@ contact_outcome vbss_contact_solve_active_set(contact_set *set,
 {
     contact_active_set_progress *progress = &set->progress;
     if (!options->is_resumed) {
+        if (progress->has_lagged) {
+            clear_lags(set);
+        }
         *progress = (contact_active_set_progress){.stiffness_scale = 1.0};
         set->is_stopped_early = false;
         set_sliding_forces(set);

@@ -89,7 +89,7 @@ contact_constraint *vbss_contact_try(contact_set *set, const contact_key *key)
     constraint->jacobian_block_count = 0;
     constraint->is_bilateral = constraint->is_sleeve = constraint->is_sliding = false;
     constraint->friction = constraint->tangential_stiffness_ratio = constraint->elastic_slip_limit =
-        constraint->recovery_allowance = 0.0;
+        constraint->recovery_allowance = constraint->lagged_transverse = 0.0;
     constraint->solution = (contact_solution){.status = CONTACT_OPEN};
     constraint->previous_force = vec3_zero();
     constraint->schur_offset = UINT32_MAX;

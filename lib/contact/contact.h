@@ -101,6 +101,9 @@ typedef struct contact_constraint {
      * negative, but not their sum. Beyond, a damper with the stiffness viscous_stiffness in this
      * substep, N/m, lets it slide. The axial force is remembered. */
     double yield_force, yield_friction[2], viscous_stiffness;
+    /* Sleeve: transverse force from which the linearisation takes the yield force while the search cycles, N; 0:
+     * that of the solution. */
+    double lagged_transverse;
     vec3 curvature; /* derivative of the normal as it slides along the normal, 1/m */
     /* Two threads that slide over each other: the contact point moves along thread a and b by the
      * product of its gradient and the relative displacement. The Jacobian is that of points which are
@@ -162,6 +165,7 @@ typedef struct contact_active_set_progress {
     double stiffness_scale;
     uint32_t solves_at_scale; /* solves with the current stiffness_scale */
     bool has_softened;        /* the stiffness has been reduced once; it will not be again */
+    bool has_lagged;          /* some sleeve has a lagged yield force */
     /* relative residual when it was last halved */
     double reference_residual;
     uint32_t stalled_solves; /* solves since the residual was last halved */

@@ -78,6 +78,11 @@ static double viscoplastic_force(const contact_constraint *constraint, double el
            (constraint->viscous_stiffness + constraint->stiffness);
 }
 
+static bool is_lagged(const contact_constraint *constraint)
+{
+    return constraint->lagged_transverse > 0.0;
+}
+
 /* Force by the linearisation: with the status and the transverse direction of the present
  * solution. */
 static sleeve_force linearised_sleeve_force(const contact_constraint *constraint, vec3 u)
@@ -87,7 +92,9 @@ static sleeve_force linearised_sleeve_force(const contact_constraint *constraint
         vec3_scale(tangential_component(displacement, constraint->normal), -constraint->stiffness),
         elastic_axial_force(constraint, displacement)};
     if (constraint->solution.status == CONTACT_SLIP) {
-        double transverse_force = vec3_dot(f.transverse, constraint->solution.slip_direction);
+        double transverse_force = is_lagged(constraint)
+                                      ? constraint->lagged_transverse
+                                      : vec3_dot(f.transverse, constraint->solution.slip_direction);
         f.axial = viscoplastic_force(
             constraint, f.axial,
             axial_yield_limit(constraint, constraint->solution.is_forward, transverse_force));
@@ -148,8 +155,10 @@ static void linearise_sleeve(const contact_constraint *constraint, contact_linea
         double friction =
             is_forward ? constraint->yield_friction[1] : -constraint->yield_friction[0];
         t->stiffness[0] = constraint->viscous_stiffness * k / (constraint->viscous_stiffness + k);
-        t->left[1] = vec3_add_scaled(direction, friction * k / (constraint->viscous_stiffness + k),
-                                     constraint->normal);
+        if (!is_lagged(constraint)) {
+            t->left[1] = vec3_add_scaled(
+                direction, friction * k / (constraint->viscous_stiffness + k), constraint->normal);
+        }
     }
     t->force = total_sleeve_force(constraint, linearised_sleeve_force(constraint, vec3_zero()));
 }

@@ -88,6 +88,9 @@
 /* A contact that closes slips if it moves farther than this, and sticks otherwise.
  * Unit: m, absolute. Origin: chosen. Test: scene-mesh, needle-hands, session. */
 #define CONTACT_MIN_SLIP_ON_CLOSING VBSS_TUNE(CONTACT_MIN_SLIP_ON_CLOSING, 1e-7)
+/* After this many solves without progress the yield force of a sleeve is lagged.
+ * Unit: solves. Origin: chosen. Test: scene.hole_passage. */
+#define CONTACT_LAG_STALLED_SOLVES VBSS_TUNE(CONTACT_LAG_STALLED_SOLVES, 4)
 /* A sleeve's force may miss its direction by this, which changes it by the square.
  * Unit: 1, relative to the force. Origin: chosen. Test: none known. */
 #define CONTACT_SLEEVE_TOLERANCE VBSS_TUNE(CONTACT_SLEEVE_TOLERANCE, 1e-4)

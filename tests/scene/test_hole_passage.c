@@ -19,8 +19,25 @@ static void thread_crosses_the_surface_in_its_hole_only(void **state)
     assert_true(result.slid > 0.5);
 }
 
+/* At 1 m/s the search for the state of a hole went to and fro between two directions of its transverse force until its limit, and 356
+ * parts of these steps were truncated. */
+static void fast_pull_does_not_stop_the_thread(void **state)
+{
+    (void)state;
+    static const hole_life_hands hands = {.speed = 1.0};
+    vbss_random random;
+    hole_life_result result = {0};
+    vbss_random_seed(&random, 3, 17);
+    for (int i = 0; i < 14; i++) {
+        expect_ok(hole_life_run(&random, 500, &hands, &result));
+    }
+    assert_true(result.clamped < 20);
+    assert_true(result.slid > 0.5);
+}
+
 int test_hole_passage(void)
 {
-    const struct CMUnitTest tests[] = {harness_test(thread_crosses_the_surface_in_its_hole_only)};
+    const struct CMUnitTest tests[] = {harness_test(thread_crosses_the_surface_in_its_hole_only),
+                                       harness_test(fast_pull_does_not_stop_the_thread)};
     return cmocka_run_group_tests_name("scene.hole_passage", tests, NULL, NULL);
 }
