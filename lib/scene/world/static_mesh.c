@@ -109,10 +109,13 @@ vbss_result vbss_scene_create_static_mesh(scene_object *s, scene_static_mesh *m,
 {
     vbss_array arrays[MESH_ARRAYS];
     list_arrays(m, shape, arrays);
-    VBSS_TRY(vbss_allocate_arrays(s->context, arrays, MESH_ARRAYS, "static mesh in a scene"));
-    list_triangles_at_vertices(m, shape);
-    list_triangles_at_edges(m, shape);
-    const vbss_result result = check_winding(s->context, m, shape);
+    vbss_result result =
+        vbss_allocate_arrays(s->context, arrays, MESH_ARRAYS, "static mesh in a scene");
+    if (result == VBSS_OK) {
+        list_triangles_at_vertices(m, shape);
+        list_triangles_at_edges(m, shape);
+        result = check_winding(s->context, m, shape);
+    }
     if (result != VBSS_OK) {
         vbss_release_arrays(s->context, arrays, MESH_ARRAYS);
     }
