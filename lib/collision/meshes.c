@@ -93,6 +93,18 @@ vbss_result vbss_collision_create_mesh(collision_object *c, uint32_t node_count,
     return result;
 }
 
+collision_shape *vbss_collision_exchange_shape(collision_object *c, uint32_t id,
+                                               collision_shape *shape)
+{
+    collision_shape *before = c->shapes[id];
+    shape->topology_hash = vbss_collision_hash_topology(shape);
+    c->shapes[id] = shape;
+    c->active_valid = false;
+    vbss_collision_clear_results(c);
+    c->generation++;
+    return before;
+}
+
 vbss_result vbss_collision_add_mesh(vbss_collision *collision, uint32_t node_count,
                                     const uint32_t *triangles, uint32_t triangle_count,
                                     double radius, uint32_t *shape)

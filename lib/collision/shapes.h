@@ -165,6 +165,9 @@ void vbss_collision_disable_chain(collision_object *c, uint32_t id);
 vbss_result vbss_collision_create_mesh(collision_object *c, uint32_t node_count,
                                        const uint32_t *triangles, uint32_t triangle_count,
                                        double radius, collision_shape **shape);
+/* Puts a shape in the place of another, whose id it gets. Returns the other one, which the caller frees. */
+collision_shape *vbss_collision_exchange_shape(collision_object *c, uint32_t id,
+                                               collision_shape *shape);
 
 /* ---- memory of shapes (shape_memory.c) */
 

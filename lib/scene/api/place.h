@@ -81,6 +81,9 @@ bool vbss_scene_is_plane_valid(const scene_plane_description *plane);
 vbss_result vbss_scene_place_host_surface(scene_object *s, const vbss_scene_surface_config *config,
                                           scene_body *b, uint32_t *body);
 
+/* Hash of everything of a host surface that a snapshot must have in common with the scene. */
+uint64_t vbss_scene_hash_host_surface(const scene_host_surface *h, const scene_static_mesh *mesh);
+
 /* Checks the configuration of a host surface, and sets the error text. */
 vbss_result vbss_scene_check_host_surface(vbss_context *context,
                                           const vbss_scene_surface_config *config);
