@@ -1,4 +1,4 @@
-/* A block of soft tissue: linear tetrahedra, implicit steps, conjugate gradients. What a host may have as its own model. */
+/* A block of soft tissue: linear tetrahedra, implicit steps, conjugate gradients: an example of a host's own model. */
 #ifndef EXAMPLES_HOST_TISSUE_FEM_H
 #define EXAMPLES_HOST_TISSUE_FEM_H
 
@@ -40,11 +40,11 @@ void fem_destroy(fem *f);
 void fem_predict(fem *f, double (*surface)[3]);
 /* Ends the step with forces on the vertices of the surface, N. */
 void fem_apply(fem *f, const double (*forces)[3]);
-/* Displacement of a surface vertex by forces on it and on a neighbour during a step: what a force does on the vertex, and twice
- * the mean of what the same does on one of its neighbours. A force on the middle of a triangle moves its middle as its
- * three corners do by these blocks. m/N. `alone`: without the neighbours. */
+/* Compliance of a surface vertex in a step, m/N: its displacement by a force on it, plus twice the mean displacement of its
+ * neighbours in the surface by that force. A force on the middle of a triangle then moves that point as far as in the whole
+ * model. `alone`: without the neighbours. */
 void fem_compliance(fem *f, int vertex, int alone, double block[9]);
-/* Force of the tissue on what holds its lowest layer, N. */
+/* Force of the tissue on the support of its lowest layer, N. */
 void fem_reaction(const fem *f, double force[3]);
 /* Elastic force on a vertex of the surface, N. At rest it is the opposite of the force that acts there. */
 void fem_elastic_force(const fem *f, int vertex, double force[3]);

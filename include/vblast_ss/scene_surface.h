@@ -224,7 +224,7 @@ VBSS_API vbss_result vbss_scene_set_surface_compliance(vbss_scene *scene, uint32
 
 /**
  * Gives a host surface another mesh. The body keeps its number, filter, friction, thickness, the parameters of
- * holes, compliance_size and jump_limit. Its holes keep their ids, what is in them, and their forces: each goes to the
+ * holes, compliance_size and jump_limit. Its holes keep their ids, their needles and threads, and their forces: each goes to the
  * place on the new mesh that `place` returns. The new vertices are where the surface is from now on. So they must be on the
  * surface of #VBSS_SCENE_SURFACE_VIEW_POSITIONS, as exactly as forces shall stay the same: a hole
  * that moves by d across its suture changes its force by up to hole_stiffness times d.

@@ -37,7 +37,7 @@ static void make_mesh(mesh *m, uint32_t cells, double curvature)
     }
 }
 
-/* Other numbers for vertices and triangles; triangles wound the other way. */
+/* Other numbers for vertices and triangles; triangles wound in the opposite sense. */
 static void renumber(mesh *m)
 {
     static double x[PAD_NODES][3];
@@ -176,7 +176,7 @@ static void stitch_in_a_curved_surface_is_held_by_its_stiffness(void **state)
     assert_true(finer > 1e-7 && finer < 20e-6 && coarser > 1e-7 && coarser < 40e-6);
 }
 
-/* A thread lies across the surface, and goes on to touch it where it did. */
+/* A thread lies across the surface, and still touches it where it did. */
 static void contacts_go_on_after_a_remesh(void **state)
 {
     (void)state;
@@ -190,7 +190,7 @@ static void contacts_go_on_after_a_remesh(void **state)
     const uint32_t body = small_thread(&c.s, vec3_make(-6e-3, 0.9e-3, 8e-3),
                                        vec3_make(7e-3, 0.9e-3, 7e-3), 25, &thread);
     small_steps(&c.s, 300, H);
-    const vec3 lay = small_node(thread, 12);
+    const vec3 rested = small_node(thread, 12);
     expect_ok(remesh_with(&c, &after, NULL, NULL));
     const contact_set *set = small_object(&c.s)->contacts;
     for (uint32_t i = 0; i < set->warm_start_count; i++) { /* features of the old mesh */
@@ -204,7 +204,7 @@ static void contacts_go_on_after_a_remesh(void **state)
         if (small_events(&c.s, VBSS_SCENE_EVENT_PART, &event) > 0) {
             parted += event.body_a == body || event.body_b == body;
         }
-        assert_true(fabs(small_node(thread, 12).y - lay.y) < 0.01e-3);
+        assert_true(fabs(small_node(thread, 12).y - rested.y) < 0.01e-3);
     }
     assert_int_equal(parted, 0);
     small_end(&c.s);
@@ -260,7 +260,8 @@ static void host_states_the_place_of_a_hole(void **state)
     assert_int_equal(moved.triangle, triangle);
     assert_memory_equal(moved.weights, a.weights, sizeof a.weights);
     expect_near_vec3(point_of(&after, triangle, a.weights), vec3_load(moved.position), 1e-15);
-    assert_int_equal(moved.outward, !earlier.outward); /* the triangles are wound the other way */
+    assert_int_equal(moved.outward,
+                     !earlier.outward); /* the triangles are wound in the opposite sense */
     small_steps(&c.s, 20, H);
     small_end(&c.s);
 }

@@ -14,7 +14,7 @@
 
 _Static_assert(sizeof(vbss_scene_hole_place) == 88, "published size");
 
-/* What the host gives. */
+/* Input of the host. */
 typedef struct remesh_input {
     vbss_scene_surface_config config; /* parameters of the body, and the new mesh */
     vbss_scene_place_hole_fn place;
