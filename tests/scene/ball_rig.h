@@ -70,4 +70,12 @@ static inline double ball_force(const ball_rig *r)
     return f[0].y + f[1].y + f[2].y;
 }
 
+/* Growth of a deviation in a step, `mass_ratio` of the ball to the surface: the larger root of (1 + s m) r^2 + 2 (1 - s) m r - (1 - s) m = 0. */
+static inline double ball_closed_growth(double stated, double mass_ratio)
+{
+    const double b = (1.0 - stated) * mass_ratio, a = 1.0 + stated * mass_ratio;
+    const double root = b * b + a * b;
+    return root < 0.0 ? sqrt(fabs(b) / a) : (fabs(b) + sqrt(root)) / a;
+}
+
 #endif

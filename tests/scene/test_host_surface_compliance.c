@@ -126,21 +126,13 @@ static double growth(double stated, double mass_ratio)
     return pow(last / first, 0.1);
 }
 
-/* The larger root of (1 + s m) r^2 + 2 (1 - s) m r - (1 - s) m = 0. */
-static double closed_growth(double stated, double mass_ratio)
-{
-    const double b = (1.0 - stated) * mass_ratio, a = 1.0 + stated * mass_ratio;
-    const double root = b * b + a * b;
-    return root < 0.0 ? sqrt(fabs(b) / a) : (fabs(b) + sqrt(root)) / a;
-}
-
 static void weak_coupling_is_stable_where_the_closed_solution_is(void **state)
 {
     (void)state;
     const double cases[][2] = {{0.0, 0.2}, {0.0, 0.3}, {0.0, 0.4}, {0.5, 0.8},
                                {0.5, 1.3}, {0.7, 3.0}, {0.7, 7.0}, {0.8, 30.0}};
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
-        const double expected = closed_growth(cases[i][0], cases[i][1]);
+        const double expected = ball_closed_growth(cases[i][0], cases[i][1]);
         const double got = growth(cases[i][0], cases[i][1]);
         assert_true((got < 1.0) == (expected < 1.0));
         expect_near(expected, got, 0.03 * expected);
