@@ -1,6 +1,7 @@
 #include "scene/stitch_watch.h"
 
 #include "drain/drain.h"
+#include "scene/line_crossing.h"
 #include "thread/thread.h"
 
 /* A crossing is at a hole when it is so near, in distances of touching. */
@@ -30,31 +31,6 @@ vbss_thread *stitch_watch_thread(vbss_scene *scene, uint32_t body)
 {
     vbss_thread *thread = NULL;
     return vbss_scene_get_thread(scene, body, &thread) == VBSS_OK ? thread : NULL;
-}
-
-/* Where a line meets a triangle, by its corners' weights: signs of three volumes, none divided by what may vanish. */
-static bool meets(vec3 from, vec3 to, const vec3 corner[3], double weights[3])
-{
-    vec3 displacement = vec3_sub(to, from);
-    double volume[3], sum = 0.0;
-    vec3 normal = vec3_cross(vec3_sub(corner[1], corner[0]), vec3_sub(corner[2], corner[0]));
-    double before = vec3_dot(normal, vec3_sub(from, corner[0]));
-    double after = vec3_dot(normal, vec3_sub(to, corner[0]));
-    if ((before >= 0.0) == (after >= 0.0)) {
-        return false;
-    }
-    for (int k = 0; k < 3; k++) {
-        vec3 a = vec3_sub(corner[(k + 1) % 3], from), b = vec3_sub(corner[(k + 2) % 3], from);
-        volume[k] = vec3_dot(displacement, vec3_cross(a, b));
-        sum += volume[k];
-    }
-    for (int k = 0; k < 3; k++) {
-        weights[k] = volume[k] / sum;
-        if (!(weights[k] >= 0.0)) {
-            return false;
-        }
-    }
-    return true;
 }
 
 static vec3 weighed(const vec3 *x, const uint32_t node[3], const double weights[3])
@@ -105,7 +81,7 @@ static void observe(seen *s, const thread_object *t)
             const vec3 corner[3] = {s->drain->x[node[0]], s->drain->x[node[1]],
                                     s->drain->x[node[2]]};
             double weights[3];
-            if (meets(x[i], x[i + 1], corner, weights)) {
+            if (line_crosses_triangle(x[i], x[i + 1], corner, weights)) {
                 judge(s, node, weights);
             }
         }

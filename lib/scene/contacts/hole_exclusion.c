@@ -20,11 +20,44 @@ static double exclusion_reach(const suture_hole *hole, const scene_body *suture,
     return at_mouth ? vbss_max(reach, -SCENE_EXCLUSION_ARC_RATIO * hole->entry_arc) : reach;
 }
 
-/* Radius within which a suture does not touch the wall, m. A thread bends at once, so its radius is
- * smaller than a needle's. */
-static double suture_reach(const scene_body *suture, double reach)
+static double segment_length(const scene_body *thread, uint32_t segment)
 {
-    return suture->kind == SCENE_BODY_THREAD ? THREAD_REACH_RATIO * reach : reach;
+    const thread_object *t = thread->thread.thread;
+    const uint32_t last = t->node_count - 2, own = segment < last ? segment : last;
+    return vbss_thread_arc_length(t, own + 1) - vbss_thread_arc_length(t, own);
+}
+
+/* Radius within which a suture does not touch the wall, m. A thread bends at once, so its radius is
+ * smaller than a needle's. The hole is on its smooth curve, which cuts its corners: these need room. */
+static double suture_reach(const scene_body *suture, uint32_t segment, double reach)
+{
+    return suture->kind == SCENE_BODY_THREAD
+               ? vbss_max(THREAD_REACH_RATIO * reach,
+                          SCENE_CORNER_RATIO * segment_length(suture, segment))
+               : reach;
+}
+
+/* Length within which a thread may return to its side of the wall, m: that where contact is not complete, and
+ * the segment beside it. */
+static double return_length(const scene_body *thread, uint32_t segment, double reach)
+{
+    return vbss_max((1.0 + SCENE_EXIT_RAMP_RATIO) * reach,
+                    reach + SCENE_RETURN_SEGMENTS * segment_length(thread, segment));
+}
+
+/* Whether a point of a thread is on the side of the wall from which the hole's other half of the thread comes. A fast
+ * pull can take a node past a hole before it has gone through. `beyond`: arc length from the hole to the point, m. */
+static bool is_on_wrong_side(const suture_hole *hole, const suture_wall *wall,
+                             const scene_body *thread, uint32_t segment, double fraction,
+                             double beyond, vec3 wall_point)
+{
+    const vec3 *x = thread->thread.thread->now.x;
+    const vec3 point =
+        fraction > 0.0 ? vec3_lerp(x[segment], x[segment + 1], fraction) : x[segment];
+    const vec3 off = vec3_sub(point, wall_point);
+    /* The thread's start, of arc length 0, is beyond the wall in the direction in which the tip went. */
+    const bool belongs_outside = hole->is_outward == (beyond < 0.0);
+    return vbss_suture_is_outward(wall, hole->triangle, belongs_outside ? vec3_neg(off) : off);
 }
 
 /* Distance from a hole along the suture, across the swage too, m. INFINITY if another suture is in
@@ -92,7 +125,8 @@ static double scale_in_holes(const scene_object *s, const scene_body *suture, ui
                              const scene_wall_point *wall_point, double reach)
 {
     const suture_wall wall = vbss_scene_wall_of(wall_body);
-    const double own = reach_at_swage(s, suture, segment, wall_body, suture_reach(suture, reach));
+    const double own =
+        reach_at_swage(s, suture, segment, wall_body, suture_reach(suture, segment, reach));
     double scale = 1.0;
     for (uint32_t i = 0; i < s->config.hole_capacity; i++) {
         const suture_hole *hole = &s->holes[i];
@@ -102,10 +136,18 @@ static double scale_in_holes(const scene_object *s, const scene_body *suture, ui
         double now = vec3_distance(wall_point->now, hole_point_at(hole, &wall, wall_point->time));
         double rest = vec3_distance(wall_point->rest, vbss_hole_point(hole, &wall, wall.rest));
         double max_reach = vbss_max(own, -SCENE_EXCLUSION_ARC_RATIO * hole->entry_arc);
-        if (!(vbss_max(now, rest) < (1.0 + SCENE_EXIT_RAMP_RATIO) * max_reach)) {
+        const bool is_threaded = hole->thread != 0 && hole->thread == suture->number;
+        const double may_return = is_threaded ? return_length(suture, segment, own) : 0.0;
+        if (!(vbss_max(now, rest) <
+              vbss_max((1.0 + SCENE_EXIT_RAMP_RATIO) * max_reach, may_return))) {
             continue;
         }
         double arc = vbss_scene_suture_arc_length(suture, segment, fraction);
+        const double beyond = arc - hole->arc;
+        if (fabs(beyond) < may_return &&
+            is_on_wrong_side(hole, &wall, suture, segment, fraction, beyond, wall_point->now)) {
+            return 0.0;
+        }
         double hole_reach = exclusion_reach(hole, suture, arc, own);
         double distance =
             vbss_max(vbss_max(now, rest), arc_from_hole(s, hole, suture, arc, wall_point->time));
