@@ -140,6 +140,13 @@ typedef struct collision_shape {
     bool edge_offsets_used, point_offsets_used;
 } collision_shape;
 
+/* Adds a complete shape to the object and assigns its id. */
+void vbss_collision_register_shape(collision_object *c, collision_shape *shape, uint32_t *id);
+
+/* Checks that apply to all kinds of shapes. `id`: where the caller wants the id. */
+vbss_result vbss_collision_check_new_shape(const collision_object *c, double radius,
+                                           const uint32_t *id);
+
 /* Lets the next shape have the id `next`, at most shape_capacity: those before it never exist. */
 void vbss_collision_skip_shapes(collision_object *c, uint32_t next);
 
@@ -151,6 +158,16 @@ vbss_result vbss_collision_add_disabled_chain(collision_object *c, uint32_t node
 void vbss_collision_resize_chain(collision_object *c, uint32_t id, uint32_t node_count,
                                  const double *rest_lengths);
 void vbss_collision_disable_chain(collision_object *c, uint32_t id);
+
+/* ---- meshes (meshes.c) */
+
+/* Creates a mesh that is not part of the object yet, from numbers that have been checked. */
+vbss_result vbss_collision_create_mesh(collision_object *c, uint32_t node_count,
+                                       const uint32_t *triangles, uint32_t triangle_count,
+                                       double radius, collision_shape **shape);
+/* Puts a shape in the place of another, whose id it gets. Returns the other one, which the caller frees. */
+collision_shape *vbss_collision_exchange_shape(collision_object *c, uint32_t id,
+                                               collision_shape *shape);
 
 /* ---- memory of shapes (shape_memory.c) */
 

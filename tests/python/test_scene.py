@@ -341,6 +341,38 @@ def test_a_host_surface_yields_to_forces(context):
         scene.set_surface_compliance(surface, [1.0] * 3)
 
 
+def test_a_stitch_survives_another_mesh_of_a_host_surface(context):
+    scene = vb.Scene(context, mode="offline", floor=False)
+    corners = [(-0.05, 0, -0.05), (-0.05, 0, 0.05), (0.05, 0, 0.05), (0.05, 0, -0.05)]
+    finer, triangles = [*corners, (0, 0, 0)], [(0, 1, 4), (1, 2, 4), (2, 3, 4), (3, 0, 4)]
+    surface = scene.add_surface(corners, [(0, 1, 2), (0, 2, 3)], thread_force=0.5)
+    thread = vb.Thread(context, length=0.02, segment_count=20, start=(0.01, 0.01, 0.005), direction=(0, -1, 0))
+    suture = scene.add(thread)
+    hole = scene.make_hole(suture, 0.01, surface, 1, (0.4, 0.55, 0.05))
+    for _ in range(20):
+        scene.step(1e-3)
+    before, asked = scene.holes[0], []
+    with pytest.raises(ValueError):
+        scene.remesh_surface(surface, finer, triangles, lambda place: (1, (0.5, 0.5)))
+    with pytest.raises(vb.OutOfRangeError):
+        scene.remesh_surface(surface, finer, triangles, lambda place: (0, (1, 0, 0)))
+    assert scene.holes[0] == before
+
+    def place(old):
+        asked.append((old.hole, old.triangle, list(old.position), old.normal[1]))
+        return None
+
+    scene.remesh_surface(surface, finer, triangles, place)
+    after = scene.holes[0]
+    assert asked == [(hole, 1, pytest.approx(list(before.position)), pytest.approx(1.0))]
+    assert after.id == hole and list(after.position) == pytest.approx(list(before.position))
+    scene.step(1e-3)
+    assert list(scene.holes[0].force) == pytest.approx(list(before.force), abs=1e-5)
+    assert len(scene.surface(surface)) == 5
+    scene.remesh_surface(surface, corners, [(0, 1, 2), (0, 2, 3)])
+    assert scene.holes[0].triangle == before.triangle
+
+
 def test_only_method_vblast_has_baseline_statistics():
     with vb.Scene(method="vblast") as scene:
         thread = vb.Thread(scene.context, method="vblast", length=0.1, segment_count=20)

@@ -93,10 +93,64 @@ static void replay_repeats_a_moving_surface_to_the_bit(void **state)
     harness_context_end(r.context, &r.memory);
 }
 
+/* The replay has no host that could say where a hole is. */
+static void replay_follows_another_mesh_without_the_host(void **state)
+{
+    (void)state;
+    enum { FINER = 2 * CELLS, FINER_ROW = FINER + 1, AT = 15 };
+    rocking r;
+    harness_memory memory;
+    vbss_record *record;
+    vbss_replay *replay;
+    vbss_replay_report report;
+    vbss_record_config config;
+    vbss_scene *loaded = NULL;
+    log_bytes log = {NULL, 0};
+    double finer[FINER_ROW * FINER_ROW][3];
+    uint32_t triangles[2 * FINER * FINER][3];
+    for (uint32_t i = 0; i < FINER_ROW * FINER_ROW; i++) {
+        finer[i][0] = 5e-3 * (i / FINER_ROW) - 20e-3;
+        finer[i][1] = -1e-3;
+        finer[i][2] = 5e-3 * (i % FINER_ROW) - 20e-3;
+    }
+    for (uint32_t i = 0; i < FINER * FINER; i++) {
+        const uint32_t a = i / FINER * FINER_ROW + i % FINER, b = a + FINER_ROW;
+        const uint32_t cell[2][3] = {{a, a + 1, b + 1}, {a, b + 1, b}};
+        memcpy(triangles[2 * i], cell, sizeof cell);
+    }
+    expect_ok(vbss_record_config_init(&config, sizeof config));
+    config.hash_interval = 1;
+    begin(&r);
+    expect_ok(vbss_record_create(r.scene, &config, &record));
+    expect_ok(vbss_scene_set_recorder(r.scene, record));
+    for (uint32_t i = 1; i <= STEPS; i++) {
+        if (i == AT) {
+            expect_ok(vbss_scene_remesh_surface(r.scene, r.surface, finer[0], FINER_ROW * FINER_ROW,
+                                                triangles[0], 2 * FINER * FINER, NULL, NULL));
+        }
+        expect_ok(vbss_scene_step(r.scene, 1e-3));
+        log_take(&log, record);
+    }
+    expect_ok(vbss_record_end(record));
+    log_take(&log, record);
+    vbss_context *context = harness_context(&memory);
+    expect_ok(vbss_replay_create(context, log.bytes, log.count, &replay));
+    expect_ok(vbss_replay_load_scene(replay, &loaded));
+    expect_ok(vbss_replay_begin(replay, loaded));
+    expect_ok(replay_all(replay, &report));
+    assert_int_equal(report.outcome, VBSS_REPLAY_OUTCOME_ENDED);
+    assert_int_equal(report.agreed_step, STEPS);
+    expect_ok(vbss_replay_destroy(replay));
+    log_free(&log);
+    harness_context_end(context, &memory);
+    harness_context_end(r.context, &r.memory);
+}
+
 int test_host_surface_log(void)
 {
     const struct CMUnitTest tests[] = {
         harness_test(replay_repeats_a_moving_surface_to_the_bit),
+        harness_test(replay_follows_another_mesh_without_the_host),
     };
     return cmocka_run_group_tests_name("record.host_surface_log", tests, NULL, NULL);
 }

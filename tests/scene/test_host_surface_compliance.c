@@ -2,88 +2,22 @@
  * springs is stable where the closed solution says so. */
 #include <stdlib.h>
 
-#include "scene/surface_rig.h"
-
-#define H 1e-3
-#define BALL_RADIUS 2e-3
-#define GRAVITY 9.81
-
-/* A triangle about the origin, in the plane y = 0, and a ball at rest in contact with its middle. */
-typedef struct rig {
-    small s;
-    uint32_t surface, ball;
-    double x[3][3];
-} rig;
-
-static const double corners[3][3] = {
-    {30e-3, 0.0, 0.0}, {-15e-3, 0.0, 25e-3}, {-15e-3, 0.0, -25e-3}};
-
-/* At a height above the contact with the triangle. */
-static void add_ball(rig *r, double above)
-{
-    const vec3 centre = vec3_make(0.0, BALL_RADIUS + 0.25e-3 + above, 0.0);
-    r->ball = small_stick(&r->s, VBSS_SCENE_RIGID_FREE, centre, vec3_zero(), BALL_RADIUS);
-}
-
-static void begin(rig *r, uint32_t compliance_size, double ball_mass)
-{
-    static const uint32_t triangle[3] = {0, 1, 2};
-    vbss_scene_surface_config config = vbss_scene_surface_config_default();
-    small_begin(&r->s);
-    r->s.config.floor = 0;
-    r->s.config.mode = VBSS_SCENE_MODE_OFFLINE;
-    small_create(&r->s);
-    memcpy(r->x, corners, sizeof r->x);
-    config.vertex_count = 3;
-    config.triangle_count = 1;
-    config.vertices = r->x[0];
-    config.triangles = triangle;
-    config.compliance_size = compliance_size;
-    expect_ok(vbss_scene_add_surface(r->s.scene, &config, &r->surface));
-    r->s.rigid.mass = ball_mass;
-    r->s.rigid.gravity[1] = -GRAVITY;
-    add_ball(r, 0.0);
-}
-
-static void set_compliance(rig *r, double compliance)
-{
-    const double each[3] = {compliance, compliance, compliance};
-    expect_ok(vbss_scene_set_surface_compliance(r->s.scene, r->surface, each, 3));
-}
-
-static const vec3 *view(const rig *r, vbss_scene_surface_field field)
-{
-    vbss_view view;
-    expect_ok(vbss_scene_get_surface_view(r->s.scene, r->surface, field, &view, sizeof view));
-    return view.data;
-}
-
-/* Height of the vertices as the scene has them, and the force on all of them. */
-static double height(const rig *r)
-{
-    return view(r, VBSS_SCENE_SURFACE_VIEW_POSITIONS)[0].y;
-}
-
-static double force(const rig *r)
-{
-    const vec3 *f = view(r, VBSS_SCENE_SURFACE_VIEW_FORCES);
-    return f[0].y + f[1].y + f[2].y;
-}
+#include "scene/ball_rig.h"
 
 /* ---- statics */
 
 static void vertices_are_deflected_by_compliance_times_force(void **state)
 {
     (void)state;
-    rig r;
+    ball_rig r;
     const double compliance = 5e-3, mass = 5e-3;
-    begin(&r, 1, mass);
-    set_compliance(&r, compliance);
-    small_steps(&r.s, 400, H);
-    expect_near(-mass * GRAVITY, force(&r), 1e-6 * mass * GRAVITY);
-    const vec3 *f = view(&r, VBSS_SCENE_SURFACE_VIEW_FORCES);
-    const vec3 *now = view(&r, VBSS_SCENE_SURFACE_VIEW_POSITIONS);
-    const vec3 *targets = view(&r, VBSS_SCENE_SURFACE_VIEW_TARGETS);
+    ball_begin(&r, 1, mass);
+    ball_set_compliance(&r, compliance);
+    small_steps(&r.s, 400, BALL_STEP);
+    expect_near(-mass * GRAVITY, ball_force(&r), 1e-6 * mass * GRAVITY);
+    const vec3 *f = ball_view(&r, VBSS_SCENE_SURFACE_VIEW_FORCES);
+    const vec3 *now = ball_view(&r, VBSS_SCENE_SURFACE_VIEW_POSITIONS);
+    const vec3 *targets = ball_view(&r, VBSS_SCENE_SURFACE_VIEW_TARGETS);
     for (int i = 0; i < 3; i++) {
         const vec3 deflection = vec3_sub(now[i], targets[i]);
         expect_near(0.0, vec3_distance(deflection, vec3_scale(f[i], compliance)),
@@ -97,20 +31,20 @@ static void vertices_are_deflected_by_compliance_times_force(void **state)
 static void matrix_of_compliance_couples_directions(void **state)
 {
     (void)state;
-    rig r;
+    ball_rig r;
     const double mass = 5e-3;
     const double one[9] = {4e-3, 1e-3, 0.0, 1e-3, 5e-3, -2e-3, 0.0, -2e-3, 6e-3};
     double all[3][9];
-    begin(&r, 9, mass);
+    ball_begin(&r, 9, mass);
     for (int i = 0; i < 3; i++) {
         memcpy(all[i], one, sizeof one);
     }
     expect_ok(vbss_scene_set_surface_compliance(r.s.scene, r.surface, all[0], 27));
-    small_steps(&r.s, 400, H);
+    small_steps(&r.s, 400, BALL_STEP);
     for (int i = 0; i < 3; i++) {
-        const vec3 deflection = vec3_sub(view(&r, VBSS_SCENE_SURFACE_VIEW_POSITIONS)[i],
-                                         view(&r, VBSS_SCENE_SURFACE_VIEW_TARGETS)[i]);
-        const vec3 f = view(&r, VBSS_SCENE_SURFACE_VIEW_FORCES)[i];
+        const vec3 deflection = vec3_sub(ball_view(&r, VBSS_SCENE_SURFACE_VIEW_POSITIONS)[i],
+                                         ball_view(&r, VBSS_SCENE_SURFACE_VIEW_TARGETS)[i]);
+        const vec3 f = ball_view(&r, VBSS_SCENE_SURFACE_VIEW_FORCES)[i];
         const vec3 expected = vec3_make(one[0] * f.x + one[1] * f.y + one[2] * f.z,
                                         one[3] * f.x + one[4] * f.y + one[5] * f.z,
                                         one[6] * f.x + one[7] * f.y + one[8] * f.z);
@@ -124,10 +58,10 @@ static void matrix_of_compliance_couples_directions(void **state)
 static void driven_tool_presses_on_a_compliant_surface(void **state)
 {
     (void)state;
-    rig r;
+    ball_rig r;
     const double compliance = 10e-3;
-    begin(&r, 1, 1e-3);
-    set_compliance(&r, compliance);
+    ball_begin(&r, 1, 1e-3);
+    ball_set_compliance(&r, compliance);
     expect_ok(vbss_scene_remove(r.s.scene, r.ball));
     const double start = -(BALL_RADIUS + 0.25e-3);
     const uint32_t tool =
@@ -135,11 +69,12 @@ static void driven_tool_presses_on_a_compliant_surface(void **state)
                     BALL_RADIUS);
     for (int i = 1; i <= 40; i++) {
         small_move(&r.s, tool, vec3_make(0.0, start + 25e-6 * i, 0.0));
-        small_steps(&r.s, 1, H);
+        small_steps(&r.s, 1, BALL_STEP);
     }
     assert_int_equal(small_statistics(&r.s).clamped, 0);
-    expect_near(1e-3 / (compliance / 3.0), force(&r), 0.003 * 0.3); /* the contact gives way, too */
-    expect_near(-force(&r), small_rigid(&r.s, tool).contact_force[1], 1e-9);
+    expect_near(1e-3 / (compliance / 3.0), ball_force(&r),
+                0.003 * 0.3); /* the contact gives way, too */
+    expect_near(-ball_force(&r), small_rigid(&r.s, tool).contact_force[1], 1e-9);
     small_end(&r.s);
 }
 
@@ -152,51 +87,43 @@ typedef struct host {
 } host;
 
 /* The host predicts, the scene steps, the host applies the force. */
-static void step_host(rig *r, host *own)
+static void step_host(ball_rig *r, host *own)
 {
-    own->v += H * (own->load - own->stiffness * own->y) / own->mass;
-    const double free_y = own->y + H * own->v;
+    own->v += BALL_STEP * (own->load - own->stiffness * own->y) / own->mass;
+    const double free_y = own->y + BALL_STEP * own->v;
     for (int i = 0; i < 3; i++) {
         r->x[i][1] = free_y;
     }
     expect_ok(vbss_scene_move_surface(r->s.scene, r->surface, r->x[0], 3));
-    small_steps(&r->s, 1, H);
-    own->v += H * (force(r) / 3.0) / own->mass;
-    own->y = free_y + H * H * (force(r) / 3.0) / own->mass;
+    small_steps(&r->s, 1, BALL_STEP);
+    own->v += BALL_STEP * (ball_force(r) / 3.0) / own->mass;
+    own->y = free_y + BALL_STEP * BALL_STEP * (ball_force(r) / 3.0) / own->mass;
 }
 
 /* How much the deviation of the contact force from the weight grows in a step. `stated`: compliance that the host
  * states, relative to that of its masses; mass_ratio: of the ball to all vertices. */
 static double growth(double stated, double mass_ratio)
 {
-    rig r;
+    ball_rig r;
     const double ball = 1e-3;
     host own = {.mass = ball / (3.0 * mass_ratio), .load = ball * GRAVITY / 3.0};
     /* In balance: the vertices go up without contact, and the ball rests above where they end. */
-    begin(&r, 1, ball);
+    ball_begin(&r, 1, ball);
     expect_ok(vbss_scene_remove(r.s.scene, r.ball));
-    const double rise = (1.0 - stated) * H * H * own.load / own.mass,
+    const double rise = (1.0 - stated) * BALL_STEP * BALL_STEP * own.load / own.mass,
                  sag = ball * GRAVITY / r.s.config.contact_stiffness;
-    add_ball(&r, rise - sag);
-    set_compliance(&r, stated * H * H / own.mass);
+    ball_add(&r, rise - sag);
+    ball_set_compliance(&r, stated * BALL_STEP * BALL_STEP / own.mass);
     double first = 0.0, last = 0.0;
     own.v = 1e-7;
     for (int i = 0; i < 30; i++) {
         step_host(&r, &own);
-        const double deviation = fabs(force(&r) + ball * GRAVITY);
+        const double deviation = fabs(ball_force(&r) + ball * GRAVITY);
         first = i == 9 ? deviation : first;
         last = i == 19 ? deviation : last;
     }
     small_end(&r.s);
     return pow(last / first, 0.1);
-}
-
-/* The larger root of (1 + s m) r^2 + 2 (1 - s) m r - (1 - s) m = 0. */
-static double closed_growth(double stated, double mass_ratio)
-{
-    const double b = (1.0 - stated) * mass_ratio, a = 1.0 + stated * mass_ratio;
-    const double root = b * b + a * b;
-    return root < 0.0 ? sqrt(fabs(b) / a) : (fabs(b) + sqrt(root)) / a;
 }
 
 static void weak_coupling_is_stable_where_the_closed_solution_is(void **state)
@@ -205,7 +132,7 @@ static void weak_coupling_is_stable_where_the_closed_solution_is(void **state)
     const double cases[][2] = {{0.0, 0.2}, {0.0, 0.3}, {0.0, 0.4}, {0.5, 0.8},
                                {0.5, 1.3}, {0.7, 3.0}, {0.7, 7.0}, {0.8, 30.0}};
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
-        const double expected = closed_growth(cases[i][0], cases[i][1]);
+        const double expected = ball_closed_growth(cases[i][0], cases[i][1]);
         const double got = growth(cases[i][0], cases[i][1]);
         assert_true((got < 1.0) == (expected < 1.0));
         expect_near(expected, got, 0.03 * expected);
@@ -219,16 +146,16 @@ static void stated_compliance_keeps_a_light_surface_stable(void **state)
     (void)state;
     const double ratios[] = {1e-3, 0.5, 3.6}; /* h^2 k / m */
     for (int k = 0; k < 3; k++) {
-        rig r;
+        ball_rig r;
         const double ball = 3e-3;
         host own = {.mass = ball / 300.0};
-        own.stiffness = ratios[k] * own.mass / (H * H);
-        begin(&r, 1, ball);
-        set_compliance(&r, H * H / own.mass);
+        own.stiffness = ratios[k] * own.mass / (BALL_STEP * BALL_STEP);
+        ball_begin(&r, 1, ball);
+        ball_set_compliance(&r, BALL_STEP * BALL_STEP / own.mass);
         double top = 0.0, lowest = 0.0;
         for (int i = 0; i < 1000; i++) {
             step_host(&r, &own);
-            expect_near(own.y, height(&r), 1e-9);
+            expect_near(own.y, ball_height(&r), 1e-9);
             const double y = small_position(&r.s, r.ball).y - BALL_RADIUS - 0.25e-3;
             top = fmax(top, y);
             lowest = fmin(lowest, y);
@@ -245,9 +172,9 @@ static void stated_compliance_keeps_a_light_surface_stable(void **state)
 static void refused_compliances_change_nothing(void **state)
 {
     (void)state;
-    rig r;
+    ball_rig r;
     double good[3][9] = {{0.0}};
-    begin(&r, 9, 1e-3);
+    ball_begin(&r, 9, 1e-3);
     for (int i = 0; i < 3; i++) {
         good[i][0] = good[i][4] = good[i][8] = 2e-3;
     }
@@ -275,7 +202,7 @@ static void refused_compliances_change_nothing(void **state)
                   vbss_scene_set_surface_compliance(r.s.scene, r.ball, good[0], 27));
     assert_true(small_hash(&r.s) == hash);
     small_end(&r.s);
-    begin(&r, 0, 1e-3);
+    ball_begin(&r, 0, 1e-3);
     expect_result(VBSS_ERROR_INCOMPATIBLE,
                   vbss_scene_set_surface_compliance(r.s.scene, r.surface, good[0], 3));
     small_end(&r.s);
@@ -284,12 +211,12 @@ static void refused_compliances_change_nothing(void **state)
 static void saved_compliance_goes_on_to_the_same_bits(void **state)
 {
     (void)state;
-    rig r;
+    ball_rig r;
     harness_memory memory;
     vbss_scene *loaded = NULL;
-    begin(&r, 1, 5e-3);
-    set_compliance(&r, 5e-3);
-    small_steps(&r.s, 20, H);
+    ball_begin(&r, 1, 5e-3);
+    ball_set_compliance(&r, 5e-3);
+    small_steps(&r.s, 20, BALL_STEP);
     const small_state saved = small_save(&r.s);
     vbss_context *context = harness_context(&memory);
     expect_ok(vbss_scene_load(context, saved.bytes, saved.count, &loaded));
@@ -297,8 +224,8 @@ static void saved_compliance_goes_on_to_the_same_bits(void **state)
         uint64_t hash = 0;
         expect_ok(vbss_scene_get_hash(loaded, &hash));
         assert_true(hash == small_hash(&r.s));
-        expect_ok(vbss_scene_step(loaded, H));
-        small_steps(&r.s, 1, H);
+        expect_ok(vbss_scene_step(loaded, BALL_STEP));
+        small_steps(&r.s, 1, BALL_STEP);
     }
     free(saved.bytes);
     expect_ok(vbss_scene_destroy(loaded));

@@ -58,6 +58,36 @@ static void refused_surfaces_change_nothing(void **state)
     small_end(&s);
 }
 
+/* Adds a host surface, or a static mesh if `user` is set, to a scene of its own. */
+static vbss_result add_to_new_scene(vbss_context *context, void *user)
+{
+    vbss_scene *scene = NULL;
+    uint32_t body = 0;
+    vbss_scene_static_mesh_config mesh = vbss_scene_static_mesh_config_default();
+    mesh.vertex_count = sheet.config.vertex_count;
+    mesh.triangle_count = sheet.config.triangle_count;
+    mesh.vertices = sheet.config.vertices;
+    mesh.triangles = sheet.config.triangles;
+    const vbss_scene_config config = vbss_scene_config_default();
+    const vbss_result created = vbss_scene_create(context, &config, &scene);
+    if (created != VBSS_OK) {
+        return created;
+    }
+    const vbss_result result = user != NULL ? vbss_scene_add_static_mesh(scene, &mesh, &body)
+                                            : vbss_scene_add_surface(scene, &sheet.config, &body);
+    expect_ok(vbss_scene_destroy(scene));
+    return result;
+}
+
+static void surface_without_memory_leaves_no_block(void **state)
+{
+    (void)state;
+    surface_make(&sheet, 3, 60e-3);
+    sheet.config.compliance_size = 9;
+    harness_fail_every_allocation(add_to_new_scene, NULL);
+    harness_fail_every_allocation(add_to_new_scene, &sheet);
+}
+
 static void expect_refused_move(small *s, vbss_result wanted, const double *x, uint32_t count)
 {
     const uint64_t hash = small_hash(s);
@@ -274,6 +304,7 @@ int test_host_surface_state(void)
 {
     const struct CMUnitTest tests[] = {
         harness_test(refused_surfaces_change_nothing),
+        harness_test(surface_without_memory_leaves_no_block),
         harness_test(refused_moves_change_nothing),
         harness_test(only_a_host_surface_moves_so),
         harness_test(saved_surface_goes_on_to_the_same_bits),

@@ -1,8 +1,13 @@
 using System;
 using System.Collections.Generic;
+using System.Runtime.InteropServices;
 
 namespace VblastSs
 {
+    /// <summary>Says where a hole is on the new mesh of a host surface. Triangle and weights come with the nearest
+    /// place.</summary>
+    public delegate void PlaceHole(SceneHolePlace hole, ref uint triangle, ref Doubles3 weights);
+
     public sealed unsafe partial class SutureThread
     {
         /// <summary>Places the nodes, m, and gives them velocities, m/s; an empty span leaves them.</summary>
@@ -84,6 +89,49 @@ namespace VblastSs
             fixed (Vector3d* first = vertices)
             {
                 Context.Check(Native.vbss_scene_move_surface(Handle, body, (double*)first, (uint)vertices.Length));
+            }
+        }
+
+        /// <summary>Gives a host surface another mesh. `place` says where each hole goes; null: to the nearest
+        /// place.</summary>
+        public void RemeshSurface(uint body, ReadOnlySpan<Vector3d> vertices, ReadOnlySpan<uint> triangles,
+                                  PlaceHole place = null)
+        {
+            var root = new NativeRoot(place, Context.State);
+            try
+            {
+                IntPtr entry = place == null ? IntPtr.Zero : Marshal.GetFunctionPointerForDelegate(PlaceEntry);
+                fixed (Vector3d* first = vertices)
+                fixed (uint* corners = triangles)
+                {
+                    Context.Check(Native.vbss_scene_remesh_surface(Handle, body, (double*)first, (uint)vertices.Length, corners,
+                                                                   (uint)triangles.Length / 3, entry, root.Pointer));
+                }
+            }
+            finally
+            {
+                root.Free();
+            }
+        }
+
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        private delegate Result PlaceFunction(IntPtr user, IntPtr hole, IntPtr triangle, IntPtr weights);
+
+        private static readonly PlaceFunction PlaceEntry = OnPlace;
+
+        [MonoPInvokeCallback(typeof(PlaceFunction))]
+        private static Result OnPlace(IntPtr user, IntPtr hole, IntPtr triangle, IntPtr weights)
+        {
+            NativeRoot root = NativeRoot.Of(user);
+            try
+            {
+                ((PlaceHole)root.Target)(*(SceneHolePlace*)hole, ref *(uint*)triangle, ref *(Doubles3*)weights);
+                return Result.Ok;
+            }
+            catch (Exception exception)
+            {
+                root.Raise(exception);
+                return Result.ErrorNotFound;
             }
         }
 

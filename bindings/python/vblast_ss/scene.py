@@ -4,7 +4,7 @@ from __future__ import annotations
 import ctypes
 from typing import Any, Callable, Iterable, NamedTuple, Optional, Sequence, TypeVar, Union, cast
 
-from ._api.base import Method
+from ._api.base import Method, Result
 from ._api.baseline import BaselineStatistics, vbss_baseline_statistics
 from ._api.scene import (SceneBlocker, SceneBlockerCause, SceneContactKind, SceneGrasp, SceneHole, SceneOverlap, SceneOverlapPolicy, SceneRigidKind,
                          SceneRigidState, SceneField, SceneMode, SceneStatistics, vbss_scene_blocker, vbss_scene_capsule, vbss_scene_grasp, vbss_scene_hole,
@@ -16,7 +16,8 @@ from ._api.grasper import vbss_grasper
 from ._api.needle import vbss_needle
 from ._api.scene_event import SceneEventFlagBits, SceneEventKind, vbss_scene_event
 from ._api.scene_query import SceneBodyInfo, SceneBodyKind, SceneNearest, SceneRayHit, vbss_scene_body_info, vbss_scene_nearest, vbss_scene_ray_hit
-from ._api.scene_surface import SceneSurfaceField, vbss_scene_surface_config
+from ._api.scene_surface import (SceneSurfaceField, vbss_scene_hole_place, vbss_scene_place_hole_fn,
+                                 vbss_scene_surface_config)
 from ._api.thread import vbss_thread
 from ._library import lib
 from ._objects import Configured, Object, Saved, Viewed, context_or_new, created
@@ -34,6 +35,7 @@ __all__ = ["BaselineStatistics", "SceneBlocker", "SceneBlockerCause", "SceneBody
 
 Body = Union[Thread, Drain, Needle, Grasper]
 S = TypeVar("S", bound="Scene")
+NO_PLACE = int(Result.ERROR_NOT_FOUND)
 
 
 class Capsule(NamedTuple):
@@ -228,6 +230,29 @@ class Scene(Configured, Viewed, Saved):
         """Positions of the vertices of a host surface at the end of the next step (n x 3, m)."""
         points = doubles(vertices, "vertices", row=3)
         self._call(lib.vbss_scene_move_surface, index(body), points, len(points) // 3)
+
+    def remesh_surface(self, body: int, vertices: Any, triangles: Any,
+                       place: Optional[Callable[[vbss_scene_hole_place], Optional[tuple[int, Any]]]] = None) -> None:
+        """Gives a host surface another mesh: `vertices` (n x 3, m), `triangles` (m x 3 vertices). Its holes stay. `place`
+        gets the fields of vbss_scene_hole_place (hole, triangle, weights, position, normal) for each hole, and returns a
+        triangle of the new mesh with three weights, or None for the nearest place. What it raises refuses the mesh."""
+        points = doubles(vertices, "vertices", row=3)
+        corners = numbers(triangles, ctypes.c_uint32, "triangles", row=3)
+
+        def ask(user: Any, hole: Any, triangle: Any, weights: Any) -> int:
+            def work() -> int:
+                assert place is not None
+                found = place(hole.contents)
+                if found is not None:
+                    triangle[0] = index(found[0])
+                    weights[0], weights[1], weights[2] = doubles(found[1], "weights", 3)
+                return 0
+
+            return int(self._context._guarded(NO_PLACE, work))
+
+        entry = vbss_scene_place_hole_fn() if place is None else vbss_scene_place_hole_fn(ask)
+        self._call(lib.vbss_scene_remesh_surface, index(body), points, len(points) // 3, corners, len(corners) // 3, entry,
+                   None)
 
     def set_surface_compliance(self, body: int, compliance: Any) -> None:
         """How far each vertex of a host surface gives way to a force, m/N: a number for each vertex, or the nine numbers

@@ -104,17 +104,16 @@ static bool has_default_holes(const vbss_drain_config *law)
 
 /* Another hash than that of a static mesh: positions are state. The parameters of holes count if they are not
  * the defaults, which older snapshots have. */
-static uint64_t hash_topology(const collision_shape *shape, bool is_one_sided,
-                              const vbss_drain_config *law)
+uint64_t vbss_scene_hash_host_surface(const scene_host_surface *h, const scene_static_mesh *mesh)
 {
     vbss_stream stream;
-    uint64_t topology = shape->topology_hash;
-    uint32_t one_sided = is_one_sided ? 1 : 0;
+    uint64_t topology = h->shape->topology_hash;
+    uint32_t one_sided = mesh->is_one_sided ? 1 : 0;
     vbss_stream_begin_hash(&stream);
     vbss_stream_u64(&stream, 1, &topology, 1);
     vbss_stream_u32(&stream, 2, &one_sided, 1);
-    if (!has_default_holes(law)) {
-        vbss_drain_config holes = *law;
+    if (!has_default_holes(&h->law)) {
+        vbss_drain_config holes = h->law;
         vbss_scene_visit_hole_parameters(&stream, 3, &holes);
     }
     return vbss_hash_end(&stream.hash);
@@ -140,8 +139,7 @@ vbss_result vbss_scene_place_host_surface(scene_object *s, const vbss_scene_surf
     motion.surface->shape = shape;
     b->rigid.is_static_mesh = false;
     b->rigid.surface = motion.surface;
-    b->rigid.mesh.geometry_hash =
-        hash_topology(shape, b->rigid.mesh.is_one_sided, &motion.surface->law);
+    b->rigid.mesh.geometry_hash = vbss_scene_hash_host_surface(motion.surface, &b->rigid.mesh);
     return VBSS_OK;
 }
 

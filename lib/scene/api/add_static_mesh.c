@@ -9,6 +9,8 @@
 #include "scene/api/place.h"
 #include "scene/world/world.h"
 
+#include <string.h>
+
 _Static_assert(sizeof(vbss_scene_static_mesh_config) ==
                    VBSS_SIZE_WITH_POINTERS(vbss_scene_static_mesh_config, 32u, 2u),
                "published size");
@@ -83,13 +85,11 @@ static uint64_t hash_geometry(const collision_shape *shape, bool is_one_sided)
     return vbss_hash_end(&stream.hash);
 }
 
-/* Moves a new shape to its place and builds its trees, so that no step has to. */
-static vbss_result set_up_shape(scene_object *s, const vbss_scene_static_mesh_config *c,
-                                uint32_t id, scene_static_mesh *m)
+vbss_result vbss_scene_set_up_mesh(scene_object *s, const double *vertices, collision_shape *shape,
+                                   scene_static_mesh *m)
 {
-    collision_shape *shape = s->collision->shapes[id];
-    VBSS_TRY(vbss_collision_set_motion(scene_collision(s), id, c->vertices, c->vertices,
-                                       c->vertex_count));
+    memcpy(shape->start, vertices, shape->node_count * sizeof *shape->start);
+    memcpy(shape->end, vertices, shape->node_count * sizeof *shape->end);
     VBSS_TRY(vbss_scene_create_static_mesh(s, m, shape));
     m->geometry_hash = hash_geometry(shape, m->is_one_sided);
     shape->is_rigid = shape->is_static = true;
@@ -110,7 +110,8 @@ vbss_result vbss_scene_place_static_mesh(scene_object *s, const vbss_scene_stati
     scene_static_mesh mesh = {.is_one_sided = c->one_sided != 0};
     VBSS_TRY(vbss_collision_add_mesh(scene_collision(s), c->vertex_count, c->triangles,
                                      c->triangle_count, 0.5 * c->thickness, &shape));
-    const vbss_result result = set_up_shape(s, c, shape, &mesh);
+    const vbss_result result =
+        vbss_scene_set_up_mesh(s, c->vertices, s->collision->shapes[shape], &mesh);
     if (result != VBSS_OK) {
         (void)vbss_collision_remove(scene_collision(s), shape);
         return result;

@@ -60,6 +60,19 @@ vbss_result vbss_scene_open_mutable(vbss_scene *handle, scene_object **scene);
  * its method is the baseline's. */
 vbss_result vbss_scene_check_settable(const scene_object *s);
 
+/* ---- holes_api.c */
+
+/* Checks the weights that a host gives for the corners of a triangle: 0 to 1 each, with a sum of 1. */
+vbss_result vbss_scene_check_weights(vbss_context *context, const double *weights);
+
+/* Radius of a thread or needle, m. */
+double vbss_scene_suture_radius(const scene_body *suture);
+
+/* ---- host_surface_api.c */
+
+/* Finds a host surface by its number. VBSS_ERROR_NOT_FOUND, or VBSS_ERROR_INCOMPATIBLE for another body. */
+vbss_result vbss_scene_require_surface(const scene_object *s, uint32_t number, scene_body **b);
+
 /* ---- edit.c */
 
 /* An edit under way, with the state before it. */

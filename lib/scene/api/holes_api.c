@@ -11,7 +11,7 @@
 
 #include <string.h>
 
-static vbss_result check_weights(vbss_context *context, const double *weights)
+vbss_result vbss_scene_check_weights(vbss_context *context, const double *weights)
 {
     double sum = 0.0;
     VBSS_TRY(vbss_check_pointer(context, weights, "weights"));
@@ -44,7 +44,7 @@ static vbss_result check_suture(const scene_object *s, uint32_t body, double arc
     return vbss_check_range(s->context, arc_length, 0.0, length, "arc_length");
 }
 
-static double suture_radius(const scene_body *suture)
+double vbss_scene_suture_radius(const scene_body *suture)
 {
     return suture->kind == SCENE_BODY_THREAD ? suture->thread.thread->config.radius
                                              : suture->rigid.needle->config.wire_radius;
@@ -58,7 +58,7 @@ static vbss_result init_hole(const scene_object *s, suture_hole *hole, const sce
     const vec3 point = vbss_hole_point(hole, &p.wall, p.wall.now);
     const suture_curve_point curve_point = vbss_suture_nearest_point(&p.now, p.arc, point);
     double offset = vec3_distance(curve_point.position, point);
-    double max_offset = suture_radius(suture) + 0.5 * p.wall.law->thickness;
+    double max_offset = vbss_scene_suture_radius(suture) + 0.5 * p.wall.law->thickness;
     if (!(offset <= max_offset)) {
         return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE,
                          "the hole is %s m from what shall be in it: at most %s",
@@ -75,7 +75,7 @@ static vbss_result check_place(const scene_object *s, const suture_hole *made,
                                const scene_body *suture)
 {
     const scene_hole_context p = vbss_scene_get_hole_context(s, made);
-    const double diameter = 2.0 * suture_radius(suture);
+    const double diameter = 2.0 * vbss_scene_suture_radius(suture);
     for (uint32_t i = 0; i < s->config.hole_capacity; i++) {
         const suture_hole *other = &s->holes[i];
         if (other->id == 0 || other->wall != made->wall) {
@@ -112,7 +112,7 @@ static vbss_result prepare_hole(scene_object *s, suture_hole *made, double arc_l
     const suture_wall wall = vbss_scene_wall_of(b);
     VBSS_TRY(
         vbss_check_range(s->context, made->triangle, 0.0, wall.triangle_count - 1.0, "triangle"));
-    VBSS_TRY(check_weights(s->context, weights));
+    VBSS_TRY(vbss_scene_check_weights(s->context, weights));
     if (vbss_scene_find_free_hole(s) == NULL) {
         return vbss_fail(s->context, VBSS_ERROR_CAPACITY, "more than %u holes",
                          s->config.hole_capacity);

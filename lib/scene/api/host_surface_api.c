@@ -9,7 +9,7 @@
 
 #include <string.h>
 
-static vbss_result require_surface(const scene_object *s, uint32_t number, scene_body **b)
+vbss_result vbss_scene_require_surface(const scene_object *s, uint32_t number, scene_body **b)
 {
     VBSS_TRY(vbss_scene_require_any_body(s, number, b));
     return scene_host_surface_of(*b) != NULL ? VBSS_OK
@@ -63,7 +63,7 @@ vbss_result vbss_scene_move_surface(vbss_scene *scene, uint32_t body, const doub
     vbss_edit input = {.kind = VBSS_EDIT_OTHER};
     VBSS_TRY(vbss_scene_open_mutable(scene, &s));
     VBSS_TRY(vbss_check_pointer(s->context, vertices, "vertices"));
-    VBSS_TRY(require_surface(s, body, &b));
+    VBSS_TRY(vbss_scene_require_surface(s, body, &b));
     VBSS_TRY(check_move(s, b, vertices, vertex_count));
     VBSS_TRY(vbss_edit_begin(scene, &input));
     scene_host_surface *h = b->rigid.surface;
@@ -131,7 +131,7 @@ vbss_result vbss_scene_set_surface_compliance(vbss_scene *scene, uint32_t body,
     vbss_edit input = {.kind = VBSS_EDIT_OTHER};
     VBSS_TRY(vbss_scene_open_mutable(scene, &s));
     VBSS_TRY(vbss_check_pointer(s->context, compliance, "compliance"));
-    VBSS_TRY(require_surface(s, body, &b));
+    VBSS_TRY(vbss_scene_require_surface(s, body, &b));
     VBSS_TRY(check_compliance(s, b->rigid.surface, compliance, count));
     VBSS_TRY(vbss_scene_begin_edit(scene, &input, &edit));
     return vbss_scene_end_edit(&edit, set_compliance(s, b->rigid.surface, compliance));
@@ -147,7 +147,7 @@ vbss_result vbss_scene_get_surface_view(vbss_scene *scene, uint32_t body,
     scene_object *s;
     scene_body *b;
     VBSS_TRY(vbss_scene_open(scene, &s));
-    VBSS_TRY(require_surface(s, body, &b));
+    VBSS_TRY(vbss_scene_require_surface(s, body, &b));
     const scene_host_surface *h = b->rigid.surface;
     vbss_view own = {0,    VBSS_VIEW_TYPE_F64,  3, sizeof(vec3), h->vertex_count,
                      NULL, s->report.generation};

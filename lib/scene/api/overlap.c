@@ -4,6 +4,7 @@
 #include "base/api_call.h"
 #include "base/check.h"
 #include "base/error.h"
+#include "collision/closest.h"
 #include "scene/api/api.h"
 #include "scene/api/overlap.h"
 #include "scene/tuning.h"
@@ -68,6 +69,28 @@ static bool is_at_pin(const scene_object *s, const scene_outline *thread, const 
         if (p->id != 0 && p->thread == thread->number && p->body == other->number &&
             is_near(g, thread->thread->now.x[p->node],
                     SCENE_EXCLUSION_ARC_RATIO * 2.0 * g->radius)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/* Whether a segment is so near to a hole of a surface that contact leaves it out, or has a shorter contact
+ * distance. */
+static bool is_at_hole(const scene_object *s, const scene_segment *g, const scene_outline *surface)
+{
+    const double reach = SCENE_EXCLUSION_ARC_RATIO * (1.0 + SCENE_EXIT_RAMP_RATIO) *
+                         (g->radius + surface->surface.radius);
+    const vec3 along = vec3_sub(g->ends[1], g->ends[0]);
+    for (uint32_t i = 0; surface->ignores_holes && i < s->config.hole_capacity; i++) {
+        const suture_hole *hole = &s->holes[i];
+        if (hole->id == 0 || hole->wall != surface->number) {
+            continue;
+        }
+        const scene_body *b = vbss_scene_body(s, hole->wall);
+        const vec3 at =
+            vec3_sub(vbss_scene_wall_point(b, hole->triangle, hole->barycentric).now, g->ends[0]);
+        if (vec3_norm(vec3_add_scaled(at, -closest_on_edge(along, at), along)) < reach) {
             return true;
         }
     }
@@ -147,7 +170,8 @@ static double outline_depth(const scene_object *s, const scene_outline *a, const
     for (uint32_t i = 0; i < vbss_scene_outline_segments(a); i++) {
         const scene_segment g = vbss_scene_outline_segment(s, a, i);
         const collision_aabb part = vbss_scene_segment_box(&g);
-        if (boxes_meet(&part, &box) && !is_at_swage(s, a, &g, b) && !is_at_pin(s, a, &g, b)) {
+        if (boxes_meet(&part, &box) && !is_at_swage(s, a, &g, b) && !is_at_pin(s, a, &g, b) &&
+            !is_at_hole(s, &g, b)) {
             deepest = vbss_max(deepest, segment_depth(s, &g, b));
         }
     }

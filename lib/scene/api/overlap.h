@@ -31,6 +31,7 @@ typedef struct scene_outline {
     pose at;                                 /* frame of `grasper` or `capsules` in the world */
     uint32_t number;                         /* body number; 0 before it is added */
     bool is_prescribed; /* moved by the host alone: see world/driven_overlaps.c for two of them */
+    bool ignores_holes; /* a surface: parts of sutures at its holes do not overlap it */
 } scene_outline;
 
 typedef struct scene_segment {

@@ -57,6 +57,11 @@ vbss_result vbss_scene_place_static_mesh(scene_object *s,
                                          const vbss_scene_static_mesh_config *config, scene_body *b,
                                          uint32_t *body);
 
+/* Moves a new shape to its place and builds its trees, so that no step has to. Creates what the scene keeps
+ * of a mesh. `vertices`: as many as the shape has, checked. */
+vbss_result vbss_scene_set_up_mesh(scene_object *s, const double *vertices, collision_shape *shape,
+                                   scene_static_mesh *mesh);
+
 /* Checks a static mesh and adds it, as an edit of the host. */
 vbss_result vbss_scene_add_checked_mesh(vbss_scene *scene, scene_object *s,
                                         const vbss_scene_static_mesh_config *config,
@@ -75,6 +80,9 @@ bool vbss_scene_is_plane_valid(const scene_plane_description *plane);
 /* Places a host surface, likewise. */
 vbss_result vbss_scene_place_host_surface(scene_object *s, const vbss_scene_surface_config *config,
                                           scene_body *b, uint32_t *body);
+
+/* Hash of everything of a host surface that a snapshot must have in common with the scene. */
+uint64_t vbss_scene_hash_host_surface(const scene_host_surface *h, const scene_static_mesh *mesh);
 
 /* Checks the configuration of a host surface, and sets the error text. */
 vbss_result vbss_scene_check_host_surface(vbss_context *context,

@@ -72,6 +72,7 @@ vbss_result vbss_scene_create_host_surface(scene_object *s, scene_rigid *r,
     const vbss_result result =
         vbss_allocate_arrays(s->context, arrays, SURFACE_ARRAYS, "host surface");
     if (result != VBSS_OK) {
+        vbss_release_arrays(s->context, arrays, SURFACE_ARRAYS);
         vbss_release(s->context, h, 1, sizeof *h);
         return result;
     }

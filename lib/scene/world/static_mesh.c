@@ -109,22 +109,31 @@ vbss_result vbss_scene_create_static_mesh(scene_object *s, scene_static_mesh *m,
 {
     vbss_array arrays[MESH_ARRAYS];
     list_arrays(m, shape, arrays);
-    VBSS_TRY(vbss_allocate_arrays(s->context, arrays, MESH_ARRAYS, "static mesh in a scene"));
-    list_triangles_at_vertices(m, shape);
-    list_triangles_at_edges(m, shape);
-    const vbss_result result = check_winding(s->context, m, shape);
+    vbss_result result =
+        vbss_allocate_arrays(s->context, arrays, MESH_ARRAYS, "static mesh in a scene");
+    if (result == VBSS_OK) {
+        list_triangles_at_vertices(m, shape);
+        list_triangles_at_edges(m, shape);
+        result = check_winding(s->context, m, shape);
+    }
     if (result != VBSS_OK) {
         vbss_release_arrays(s->context, arrays, MESH_ARRAYS);
     }
     return result;
 }
 
+void vbss_scene_release_mesh_arrays(scene_object *s, scene_static_mesh *m,
+                                    const collision_shape *shape)
+{
+    vbss_array arrays[MESH_ARRAYS];
+    list_arrays(m, shape, arrays);
+    vbss_release_arrays(s->context, arrays, MESH_ARRAYS);
+}
+
 void vbss_scene_release_static_mesh(scene_object *s, scene_body *b)
 {
     if (scene_is_mesh(b)) {
-        vbss_array arrays[MESH_ARRAYS];
-        list_arrays(&b->rigid.mesh, s->collision->shapes[b->shape], arrays);
-        vbss_release_arrays(s->context, arrays, MESH_ARRAYS);
+        vbss_scene_release_mesh_arrays(s, &b->rigid.mesh, s->collision->shapes[b->shape]);
     }
     if (scene_host_surface_of(b) != NULL) {
         vbss_scene_release_host_surface(s, &b->rigid);

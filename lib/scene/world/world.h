@@ -438,6 +438,10 @@ void vbss_scene_disown_needle(scene_body *b);
 vbss_result vbss_scene_create_static_mesh(scene_object *s, scene_static_mesh *m,
                                           const collision_shape *shape);
 
+/* Releases what that has allocated. `shape`: of the mesh. */
+void vbss_scene_release_mesh_arrays(scene_object *s, scene_static_mesh *m,
+                                    const collision_shape *shape);
+
 /* Releases the scene's memory for a static mesh or host surface; for other bodies it does nothing. */
 void vbss_scene_release_static_mesh(scene_object *s, scene_body *b);
 

@@ -1,4 +1,5 @@
 // Written by bindings/csharp/generate.py from the public headers: do not edit.
+using System;
 using System.Runtime.InteropServices;
 
 namespace VblastSs
@@ -16,6 +17,9 @@ namespace VblastSs
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         internal static extern Result vbss_scene_set_surface_compliance(ObjectHandle scene, uint body, double* compliance, uint count);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern Result vbss_scene_remesh_surface(ObjectHandle scene, uint body, double* vertices, uint vertexCount, uint* triangles, uint triangleCount, IntPtr place, IntPtr user);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         internal static extern Result vbss_scene_get_surface_view(ObjectHandle scene, uint body, SceneSurfaceField field, ViewData* view, uint structSize);

@@ -223,4 +223,22 @@ namespace VblastSs
             return (SceneSurfaceConfigData*)pins.Array(box);
         }
     }
+
+    /// <summary>A hole of a host surface that gets another mesh, as vbss_scene_place_hole_fn receives it.</summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public partial struct SceneHolePlace
+    {
+        internal uint StructSize;
+        /// <summary>Id of the hole, as vbss_scene_make_hole gave it.</summary>
+        public uint Hole;
+        /// <summary>Triangle of the mesh before in which the hole is.</summary>
+        public uint Triangle;
+        internal uint Reserved;
+        /// <summary>Barycentric coordinates of the hole in that triangle.</summary>
+        public Doubles3 Weights;
+        /// <summary>Where the hole is now, in the world, m.</summary>
+        public Vector3d Position;
+        /// <summary>Unit normal of that triangle now: along (b - a) x (c - a) for its corners a, b, c.</summary>
+        public Vector3d Normal;
+    }
 }

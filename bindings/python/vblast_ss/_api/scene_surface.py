@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 import ctypes
-from ctypes import POINTER, c_double, c_int32, c_uint32
+from ctypes import CFUNCTYPE, POINTER, c_double, c_int32, c_uint32, c_void_p
 from enum import IntEnum
 from typing import Any, ClassVar
 
@@ -119,6 +119,44 @@ class vbss_scene_surface_config(ctypes.Structure):
     ]
 
 
+class vbss_scene_hole_place(ctypes.Structure):
+    """A hole of a host surface that gets another mesh, as vbss_scene_place_hole_fn receives it.
+
+    hole: Id of the hole, as vbss_scene_make_hole gave it.
+
+    triangle: Triangle of the mesh before in which the hole is.
+
+    weights: Barycentric coordinates of the hole in that triangle.
+
+    position: Where the hole is now, in the world, m.
+
+    normal: Unit normal of that triangle now: along (b - a) x (c - a) for its corners a, b, c."""
+    struct_size: int
+    hole: int
+    triangle: int
+    reserved: int
+    weights: Any
+    position: Any
+    normal: Any
+    _kinds_: ClassVar[dict[str, Any]] = {}
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("hole", c_uint32),
+        ("triangle", c_uint32),
+        ("reserved", c_uint32),
+        ("weights", c_double * 3),
+        ("position", c_double * 3),
+        ("normal", c_double * 3),
+    ]
+
+
+# Says where on the new mesh of a host surface a hole is (vbss_scene_remesh_surface). It runs on
+# the thread that remeshes, once for each hole of the surface, in ascending order of the entries
+# of vbss_scene_get_hole. The scene still has the mesh from before; calls that change the context
+# return VBSS_ERROR_BUSY.
+vbss_scene_place_hole_fn = CFUNCTYPE(c_int32, c_void_p, POINTER(vbss_scene_hole_place), POINTER(c_uint32), POINTER(c_double))
+
+
 FUNCTIONS: dict[str, tuple[Any, tuple[Any, ...]]] = {
     "vbss_scene_surface_config_init": (c_int32, (POINTER(vbss_scene_surface_config), c_uint32)),
     "vbss_scene_add_surface": (c_int32, (POINTER(vbss_scene), POINTER(vbss_scene_surface_config),
@@ -127,6 +165,8 @@ FUNCTIONS: dict[str, tuple[Any, tuple[Any, ...]]] = {
         c_uint32)),
     "vbss_scene_set_surface_compliance": (c_int32, (POINTER(vbss_scene), c_uint32,
         POINTER(c_double), c_uint32)),
+    "vbss_scene_remesh_surface": (c_int32, (POINTER(vbss_scene), c_uint32, POINTER(c_double),
+        c_uint32, POINTER(c_uint32), c_uint32, vbss_scene_place_hole_fn, c_void_p)),
     "vbss_scene_get_surface_view": (c_int32, (POINTER(vbss_scene), c_uint32, c_int32,
         POINTER(vbss_view), c_uint32)),
 }

@@ -1,4 +1,5 @@
 // Written by bindings/rust/generate.py from the public headers: do not edit.
+use std::os::raw::{c_void};
 #[allow(unused_imports)]
 use crate::*;
 
@@ -19,6 +20,18 @@ pub const VBSS_SCENE_SURFACE_VIEW_TARGETS: vbss_scene_surface_field = 2;
 /// in which a hole is share its force in the same way. After a step of which
 /// the scene left out a part they are those of the step before.
 pub const VBSS_SCENE_SURFACE_VIEW_FORCES: vbss_scene_surface_field = 3;
+
+/// Says where on the new mesh of a host surface a hole is (vbss_scene_remesh_surface). It runs on the thread
+/// that remeshes, once for each hole of the surface, in ascending order of the entries of vbss_scene_get_hole. The scene still has
+/// the mesh from before; calls that change the context return VBSS_ERROR_BUSY.
+///
+/// @param user           as given to vbss_scene_remesh_surface
+/// @param hole           the hole and its place on the mesh before; valid during the call
+/// @param\[in,out\] triangle  triangle of the new mesh. It comes with that of the nearest place, which the function may leave
+/// @param\[in,out\] weights   three barycentric coordinates of the hole in it, each 0 to 1, with a sum of 1; likewise
+/// @return VBSS_OK; any other status if the new mesh has no place for the hole: it then is refused
+/// @since 1.0
+pub type vbss_scene_place_hole_fn = Option<unsafe extern "C" fn(user: *mut c_void, hole: *const vbss_scene_hole_place, triangle: *mut u32, weights: *mut f64) -> vbss_result>;
 
 /// Configuration of a host surface. Fill it with vbss_scene_surface_config_init, then change fields.
 #[repr(C)]
@@ -72,6 +85,26 @@ pub struct vbss_scene_surface_config {
     pub tip_length: f64,
     /// Friction of a hole with a slack thread in it, N, 1e-6 to 1e3; default 0.02.
     pub thread_force: f64,
+}
+
+/// A hole of a host surface that gets another mesh, as vbss_scene_place_hole_fn receives it.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct vbss_scene_hole_place {
+    /// Size of this struct in bytes.
+    pub struct_size: u32,
+    /// Id of the hole, as vbss_scene_make_hole gave it.
+    pub hole: u32,
+    /// Triangle of the mesh before in which the hole is.
+    pub triangle: u32,
+    /// Zero.
+    pub reserved: u32,
+    /// Barycentric coordinates of the hole in that triangle.
+    pub weights: [f64; 3],
+    /// Where the hole is now, in the world, m.
+    pub position: [f64; 3],
+    /// Unit normal of that triangle now: along (b - a) x (c - a) for its corners a, b, c.
+    pub normal: [f64; 3],
 }
 
 extern "C" {
@@ -148,6 +181,43 @@ extern "C" {
     /// @threads one thread at a time per context
     /// @since 1.0
     pub fn vbss_scene_set_surface_compliance(scene: *mut vbss_scene, body: u32, compliance: *const f64, count: u32) -> vbss_result;
+    /// Gives a host surface another mesh. The body keeps its number, filter, friction, thickness, the parameters of
+    /// holes, compliance_size and jump_limit. Its holes keep their ids, their needles and threads, and their forces: each goes to the
+    /// place on the new mesh that `place` returns. The new vertices are where the surface is from now on. So they must be on the
+    /// surface of VBSS_SCENE_SURFACE_VIEW_POSITIONS, as exactly as forces shall stay the same: a hole
+    /// that moves by d across its suture changes its force by up to hole_stiffness times d.
+    ///
+    /// - A move that no step has used yet is dropped. The next one starts from the new vertices.
+    /// - All vertices are prescribed until the host states their compliance again
+    /// (vbss_scene_set_surface_compliance). Their forces are zero until the next step.
+    /// - Contacts, unlike holes, start the next step without the forces of the last one.
+    /// - Bodies that the new mesh overlaps, except sutures at its holes, are treated as the scene's `overlap` says. A body
+    /// that lies wholly on the other side of the new mesh is not found.
+    ///
+    /// The call ends a suspended step, and allocates all memory that steps need. A refused or failed call changes
+    /// nothing. It compares each hole, and for overlaps each part of the other bodies near the surface, with all new triangles.
+    ///
+    /// A snapshot from before cannot be restored into the scene any more; vbss_scene_load creates a scene with the mesh of its
+    /// snapshot. A log stores the state of the whole scene, so a replay needs no callback; only a scene of
+    /// vbss_replay_load_scene follows it.
+    ///
+    /// @param scene           the scene
+    /// @param body            a host surface
+    /// @param vertices        vertex_count times x, y, z, m, each at most 1e3 in magnitude; the library copies them
+    /// @param vertex_count    number of vertices, 3 to 65536
+    /// @param triangles       triangle_count times three different indices of vertices; as in vbss_scene_surface_config
+    /// @param triangle_count  number of triangles, 1 to 131072
+    /// @param place           says where each hole goes; NULL: to the nearest place on the new mesh
+    /// @param user            passed to `place`
+    /// @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_NOT_FOUND (no such
+    /// body, or `place` returned another status than VBSS_OK), VBSS_ERROR_INCOMPATIBLE (the body is no host
+    /// surface), VBSS_ERROR_NOT_FINITE, VBSS_ERROR_OUT_OF_RANGE (a count; a triangle that vbss_scene_add_surface
+    /// would refuse; a triangle or weights from `place` that do not exist; a hole that would move by more than the radius of
+    /// its suture and half the thickness of the wall; an overlap, if the scene refuses it),
+    /// VBSS_ERROR_OUT_OF_MEMORY, VBSS_ERROR_CAPACITY (the record has no room) or VBSS_ERROR_BUSY
+    /// @threads one thread at a time per context
+    /// @since 1.0
+    pub fn vbss_scene_remesh_surface(scene: *mut vbss_scene, body: u32, vertices: *const f64, vertex_count: u32, triangles: *const u32, triangle_count: u32, place: vbss_scene_place_hole_fn, user: *mut c_void) -> vbss_result;
     /// Describes an array of a host surface without copying it.
     ///
     /// @param scene        the scene

@@ -1,0 +1,159 @@
+/* A stitch in the tissue of a host.
+ *
+ *     sewing [folder for pictures]
+ *
+ * The tissue is the host's own: 720 linear tetrahedra in implicit steps (host_tissue/fem.c). Its surface is a host surface of the scene.
+ * Two scripted hands drive a needle through it, in and out, draw the thread after it, and pull at both of its ends. Prints what
+ * happens; exits 0 if the stitch holds, the tissue bears exactly the forces that the scene returned, and nothing passed
+ * through the surface but by the two holes. */
+#include <inttypes.h>
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "decimal_point.h"
+#include "painter/painter.h"
+#include "sewing.h"
+
+enum { EVERY = 250 /* steps from line to line of the log */ };
+static const double balance = 0.01 /* of the force */, min_pull = 0.25 /* N */;
+
+/* ---- pictures */
+
+static painter_result add_tool(painter *p, const sewing_hand *hand, vbss_scene *scene)
+{
+    vbss_scene_rigid_state state;
+    if (vbss_scene_get_rigid(scene, hand->body, &state, sizeof state) != VBSS_OK) {
+        return PAINTER_ERROR_NULL;
+    }
+    const quat turn = quat_make(state.orientation[0], state.orientation[1], state.orientation[2],
+                                state.orientation[3]);
+    const vec3 tip = vec3_load(state.position);
+    const vec3 ends[2] = {tip, vec3_add(tip, quat_rotate(turn, vec3_make(0.0, 0.0, 13e-3)))};
+    return painter_add_chain(p, &ends[0].x, 2, 0, 0.5e-3, PAINTER_STEEL, NULL);
+}
+
+static painter_result paint(painter *p, const sewing *s, const char *text)
+{
+    vbss_view surface, thread, needle;
+    if (vbss_scene_get_surface_view(s->scene, s->surface, VBSS_SCENE_SURFACE_VIEW_POSITIONS,
+                                    &surface, sizeof surface) != VBSS_OK ||
+        vbss_thread_get_view(s->thread, VBSS_THREAD_VIEW_POSITIONS, &thread, sizeof thread) !=
+            VBSS_OK ||
+        vbss_needle_get_view(s->needle, VBSS_NEEDLE_VIEW_POINTS, &needle, sizeof needle) !=
+            VBSS_OK) {
+        return PAINTER_ERROR_NULL;
+    }
+    const painter_camera camera = {
+        {0.012, 0.028, 0.06}, {0.0, 0.004, 0.0}, {0.0, 1.0, 0.0}, 0.036, 0.0};
+    painter_result result =
+        painter_add_triangles(p, surface.data, (size_t)surface.count, 0, s->triangles[0],
+                              SEWING_TRIANGLES, PAINTER_TISSUE);
+    if (result == PAINTER_OK) {
+        result = painter_add_chain(p, thread.data, (size_t)thread.count, 0, 0.125e-3,
+                                   PAINTER_VIOLET, NULL);
+    }
+    if (result == PAINTER_OK) {
+        result =
+            painter_add_chain(p, needle.data, (size_t)needle.count, 0, 0.3e-3, PAINTER_BLUE, NULL);
+    }
+    for (int i = 0; i < 2 && result == PAINTER_OK; i++) {
+        result = add_tool(p, &s->hands[i], s->scene);
+    }
+    if (result == PAINTER_OK) {
+        result = painter_set_camera(p, &camera);
+    }
+    if (result == PAINTER_OK) {
+        result = painter_add_scale_bar(p, 5e-3, "5 mm");
+    }
+    return result != PAINTER_OK ? result : painter_add_text(p, 16.0, 28.0, text, PAINTER_BLACK);
+}
+
+static bool save(const char *folder, int number, const sewing *s)
+{
+    char path[512], text[96];
+    painter *p;
+    if (painter_create(900, 640, &p) != PAINTER_OK) {
+        return false;
+    }
+    snprintf(path, sizeof path, "%s/%02d.png", folder, number);
+    snprintf(text, sizeof text, "%.2f s: %s", s->time, sewing_phase(s));
+    const bool good = paint(p, s, text) == PAINTER_OK && painter_write_png(p, path) == PAINTER_OK;
+    if (!good) {
+        fprintf(stderr, "%s: %s\n", path, painter_error(p));
+    }
+    painter_destroy(p);
+    return good;
+}
+
+/* ---- run */
+
+static void report(const sewing *s, const sewing_report *r)
+{
+    printf("%5.2f s  %-17s  %u holes  tissue bears %.3f N  surface %+.2f to %+.2f mm  "
+           "apart %.3f mm  crossings %u\n",
+           s->time, sewing_phase(s), r->holes, vec3_norm(r->force), 1e3 * r->deepest,
+           1e3 * r->highest, 1e3 * r->apart, r->crossings);
+}
+
+static vbss_result run(sewing *s, const char *folder, sewing_report *last, uint32_t *crossings,
+                       bool *painted)
+{
+    bool is_done = false;
+    vbss_result result = VBSS_OK;
+    int pictures = 0;
+    *crossings = 0;
+    *painted = true;
+    for (int step = 1; result == VBSS_OK && !is_done; step++) {
+        result = sewing_step(s, &is_done);
+        if (result == VBSS_OK && (step % EVERY == 0 || is_done)) {
+            result = sewing_measure(s, last);
+            *crossings += last->crossings;
+            report(s, last);
+            *painted = *painted && (folder == NULL || save(folder, ++pictures, s));
+        }
+    }
+    return result;
+}
+
+int main(int count, char **words)
+{
+    use_decimal_point();
+    static sewing s;
+    vbss_context *context;
+    sewing_report r;
+    uint32_t crossings = 0;
+    uint64_t hash = 0;
+    bool painted = false;
+    if (count > 2 || vbss_context_create(NULL, &context) != VBSS_OK) {
+        fprintf(stderr, "usage: sewing [folder for pictures]\n");
+        return 2;
+    }
+    vbss_result result = sewing_create(context, &s);
+    if (result == VBSS_OK) {
+        result = run(&s, count == 2 ? words[1] : NULL, &r, &crossings, &painted);
+    }
+    result = result == VBSS_OK ? vbss_scene_get_hash(s.scene, &hash) : result;
+    if (result != VBSS_OK) {
+        const char *text = "";
+        (void)vbss_context_get_last_error(context, NULL, &text);
+        fprintf(stderr, "%s: %s\n", vbss_result_name(result), text);
+        sewing_destroy(&s);
+        (void)vbss_context_destroy(context);
+        return 1;
+    }
+    const double force = vec3_norm(r.force), off = vec3_distance(r.force, r.reaction);
+    printf("%u punctures; %u holes with %.3f and %.3f N; tail %.3f N\n", s.punctures, r.holes,
+           r.hole_forces[0], r.hole_forces[1], r.tail_force);
+    printf("forces of the scene %.4f N, reaction of the tissue %.4f N, %.2f %% apart; a vertex "
+           "bears %.4f N and "
+           "lacks %.2g N\n",
+           force, vec3_norm(r.reaction), 100.0 * off / force, r.largest_force, r.largest_residual);
+    printf("crossings beside the holes: %u; hash %016" PRIx64 "\n", crossings, hash);
+    const bool good = s.punctures == 2 && r.holes == 2 && r.tail_force > min_pull &&
+                      off < balance * force && r.largest_residual < balance * r.largest_force &&
+                      crossings == 0 && painted;
+    sewing_destroy(&s);
+    (void)vbss_context_destroy(context);
+    return good ? 0 : 1;
+}
