@@ -31,6 +31,13 @@ static bool solve(contact_set *set, const contact_active_set_options *options)
     return vbss_system_solve_separators(system);
 }
 
+/* Motion of the contact point for the increment of a rotation. */
+static vec3 rotate_point(const contact_jacobian_block *term, vec3 d)
+{
+    const double roll = term->component == 0 ? d.x : term->component == 1 ? d.y : d.z;
+    return term->is_roll ? vec3_scale(term->arm, roll) : vec3_cross(d, term->arm);
+}
+
 static vec3 relative_motion(const contact_constraint *constraint, const vbss_system *system)
 {
     vec3 u = vec3_zero();
@@ -38,13 +45,8 @@ static vec3 relative_motion(const contact_constraint *constraint, const vbss_sys
         const contact_jacobian_block *jacobian_block = &constraint->jacobian[p];
         if (system->roles[jacobian_block->block] == VBSS_ROLE_SEPARATOR) {
             vec3 d = system->solution[jacobian_block->block];
-            if (jacobian_block->is_roll) {
-                const double roll = jacobian_block->component == 0   ? d.x
-                                    : jacobian_block->component == 1 ? d.y
-                                                                     : d.z;
-                d = vec3_scale(jacobian_block->arm, roll);
-            } else if (jacobian_block->is_rotation) {
-                d = vec3_cross(d, jacobian_block->arm);
+            if (jacobian_block->is_rotation) {
+                d = rotate_point(jacobian_block, d);
             }
             u = vec3_add_scaled(u, jacobian_block->weight, d);
         }

@@ -75,7 +75,7 @@ void vbss_scene_choose_rolls(scene_object *s)
 void vbss_scene_add_roll_jacobian(const scene_object *s, contact_constraint *constraint,
                                   const scene_body *b, bool is_b)
 {
-    const scene_thread *thread = s->step.spring_capacity > 0 ? find_rolled_thread(b) : NULL;
+    const scene_thread *thread = b != NULL ? find_rolled_thread(b) : NULL;
     if (thread == NULL) {
         return;
     }

@@ -242,7 +242,7 @@ void vbss_scene_remove_duplicate_contacts(scene_object *s);
 void vbss_scene_choose_rolls(scene_object *s);
 
 /* Adds the rolls of one side of a contact to its Jacobian and to its displacement. Does nothing if that
- * side is no such thread. */
+ * side is no such thread; `b` is NULL for the floor. */
 void vbss_scene_add_roll_jacobian(const scene_object *s, contact_constraint *constraint,
                                   const scene_body *b, bool is_b);
 
