@@ -243,9 +243,9 @@ static void laid_thread_rolls_without_slipping(void **state)
     laid w;
     laid_begin(&w, 1);
     small_steps(&w.s, 100, 1e-3);
-    const double way = 0.5 * 9.81 * sin(slope) * 0.1 * 0.1;
+    const double drop = 0.5 * 9.81 * sin(slope) * 0.1 * 0.1;
     for (uint32_t i = 0; i <= 20; i += 5) {
-        expect_near(way, small_node(w.thread, i).z, 0.02 * way);
+        expect_near(drop, small_node(w.thread, i).z, 0.02 * drop);
     }
     const double before = small_node(w.thread, 10).z;
     small_steps(&w.s, 1, 1e-3);
