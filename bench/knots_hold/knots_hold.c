@@ -1,10 +1,10 @@
 /* How much one knot holds: ties it, lets go of it, grows what it is tied round, and prints what came of it as one
  * line of JSON. run.py runs many of them. The protocol is told in docs/explanation/knot-holding.md.
  *
- *     knots_hold <knot> <seating force, N> <friction> <seed> [name=value ...] [limited] [trace=file]
+ *     knots_hold <knot> <seating force, N> <friction> <seed> [name=value ...] [friction_torque] [limited] [trace=file]
  *
  * Names: material (silk, polyglactin, polypropylene or nylon, each of size 3-0), bending (EI, N m^2), yield (1/m), hardening,
- * relaxation (ratio), relaxation_time (s), finest (m, of the mesh), step (s), stiffness (of contacts, N/m), growth (m/s),
+ * relaxation (ratio), relaxation_time (s), torsion (GJ, N m^2), finest (m, of the mesh), step (s), stiffness (of contacts, N/m), growth (m/s),
  * limit (N). Later ones change what a material sets. Seed 0 is the knot as it is laid out, others are disturbed. The trace has a line a step: growth, tension, slip, line in the knot. */
 #include <locale.h>
 #include <stdio.h>
@@ -55,6 +55,7 @@ static bool set_option(held_knot_options *o, const char *text)
                    {"hardening", &o->tied.thread.yield_hardening},
                    {"relaxation", &o->tied.thread.relaxation_ratio},
                    {"relaxation_time", &o->tied.thread.relaxation_time},
+                   {"torsion", &o->tied.thread.torsional_stiffness},
                    {"finest", &o->tied.knot.finest},
                    {"step", &o->step},
                    {"stiffness", &o->tied.scene.contact_stiffness},
@@ -62,6 +63,10 @@ static bool set_option(held_knot_options *o, const char *text)
                    {"limit", &o->limit}};
     if (strncmp(text, "material=", 9) == 0) {
         return set_material(o, text + 9);
+    }
+    if (strcmp(text, "friction_torque") == 0) {
+        o->tied.thread.friction_torque = 1;
+        return true;
     }
     if (strcmp(text, "limited") == 0) { /* as scenes are by default */
         vbss_scene_config scene;

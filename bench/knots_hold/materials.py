@@ -2,7 +2,7 @@
 """Ties and grows knots of sutures of size 3-0, for docs/notebook/knots-literature.md. Resumable: each finished knot is a line of the
 output, and the next call begins with the first cell that is missing.
 
-    materials.py [--build build/release] [--out build/bench/knots-materials.jsonl] [--seeds N] [--seconds S] [-j N] [--list]
+    materials.py [--build build/release] [--out build/bench/knots-materials.jsonl] [--seeds N] [--seconds S] [-j N] [--knot KIND] [--list]
 
 --seconds ends the run after the knot that is being tied then. docs/scripts/plot_knots_literature.py draws the file.
 """
@@ -19,7 +19,7 @@ import time
 
 MATERIALS = ["silk", "polyglactin", "polypropylene", "nylon"]
 MONOFILAMENTS = ["polypropylene", "nylon"]
-KNOTS = ["square", "granny", "surgeon's", "fls"]
+KNOTS = ["square", "granny", "surgeon's", "fls", "three throws"]
 FRICTION, SEATING = 0.3, 5.0  # of the library's default; N
 # A choice without a measurement: the outer fibre of a monofilament yields at 2 % (docs/explanation/bending-memory.md).
 PLASTIC = "yield=180 hardening=0.2"
@@ -72,6 +72,7 @@ def main():
     parser.add_argument("--seeds", type=int, default=5)
     parser.add_argument("--seconds", type=float, default=float("inf"))
     parser.add_argument("-j", type=int, default=1, dest="jobs")
+    parser.add_argument("--knot", choices=KNOTS, help="only the cells of this kind")
     parser.add_argument("--list", action="store_true", help="print the missing cells and end")
     options = parser.parse_args()
     out, done = options.out, set()
@@ -79,7 +80,8 @@ def main():
         done = {key_of(json.loads(line)) for line in out.read_text().splitlines()}
     # All cells with the first seed, then all with the second.
     jobs = [job for seed in range(1, options.seeds + 1)
-            for job in ((k, mu, f, seed, v) for k, mu, f, v in cells()) if job not in done]
+            for job in ((k, mu, f, seed, v) for k, mu, f, v in cells())
+            if job not in done and options.knot in (None, job[0])]
     if options.list:
         print("\n".join(str(job) for job in jobs))
         return

@@ -183,7 +183,10 @@ typedef struct vbss_thread_config {
     double clear_distance;
     /** ADAPTIVE: largest number of divisions and removals after a step, 0 to 64; default 4. */
     uint32_t mesh_operations;
-    uint32_t reserved; /**< Zero. */
+    /** 1: contacts of a scene resist rolling of the thread about itself by their friction, so that a tight
+     * knot holds twist on either side of itself; 0 (default): they let it roll. Needs
+     * torsional_stiffness. docs/explanation/twist.md has the model. */
+    uint32_t friction_torque;
     /** Method IMPLICIT: elastic curvature beyond which bending is plastic, 1/m, 0 to 1e6; default 0:
      * bending is elastic. The bending moment at yield is EI times this curvature.
      * docs/explanation/bending-memory.md has the model. Memory of bends, plastic or viscous, needs
@@ -275,8 +278,8 @@ enum {
     VBSS_THREAD_VIEW_PLASTIC_CURVATURES = 8,
     /** The same for the viscous curvature: that at which the viscous branch has no moment. */
     VBSS_THREAD_VIEW_VISCOUS_CURVATURES = 9,
-    /** n - 1 doubles, rad/m: twist per length of each segment; 0 unless it is between two holders. No
-     * entries in a thread without torsional_stiffness. */
+    /** n - 1 doubles, rad/m: twist per length of each segment; between a holder and a free end 0, with
+     * friction_torque rest_twist where no contact resists. No entries in a thread without torsional_stiffness. */
     VBSS_THREAD_VIEW_TWISTS = 10,
     /** n - 1 x 3 doubles: a unit vector across each segment, at its middle, that is fixed to the material;
      * for display. No entries in a thread without torsional_stiffness. */

@@ -22,10 +22,20 @@ static bool solve(contact_set *set, const contact_active_set_options *options)
     for (uint32_t i = 0; i < options->weld_count; i++) {
         vbss_contact_eliminate_weld(&options->welds[i], system);
     }
+    for (uint32_t i = 0; i < options->spring_count; i++) {
+        vbss_contact_assemble_spring(&options->springs[i], system);
+    }
     vbss_contact_assemble(set, system);
     set->counters.solves++;
     set->counters.operations += solve_cost(system);
     return vbss_system_solve_separators(system);
+}
+
+/* Motion of the contact point for the increment of a rotation. */
+static vec3 rotate_point(const contact_jacobian_block *term, vec3 d)
+{
+    const double roll = term->component == 0 ? d.x : term->component == 1 ? d.y : d.z;
+    return term->is_roll ? vec3_scale(term->arm, roll) : vec3_cross(d, term->arm);
 }
 
 static vec3 relative_motion(const contact_constraint *constraint, const vbss_system *system)
@@ -35,9 +45,10 @@ static vec3 relative_motion(const contact_constraint *constraint, const vbss_sys
         const contact_jacobian_block *jacobian_block = &constraint->jacobian[p];
         if (system->roles[jacobian_block->block] == VBSS_ROLE_SEPARATOR) {
             vec3 d = system->solution[jacobian_block->block];
-            u = vec3_add_scaled(u, jacobian_block->weight,
-                                jacobian_block->is_rotation ? vec3_cross(d, jacobian_block->arm)
-                                                            : d);
+            if (jacobian_block->is_rotation) {
+                d = rotate_point(jacobian_block, d);
+            }
+            u = vec3_add_scaled(u, jacobian_block->weight, d);
         }
     }
     return u;

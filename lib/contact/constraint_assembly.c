@@ -53,12 +53,23 @@ void vbss_contact_find_schur_indices(contact_set *set, const vbss_system *system
     }
 }
 
+/* map_to_block of a rotation. */
+static vec3 map_to_rotation(const contact_jacobian_block *term, vec3 direction)
+{
+    if (!term->is_roll) {
+        return vec3_scale(vec3_cross(term->arm, direction), term->weight);
+    }
+    const double along = term->weight * vec3_dot(term->arm, direction);
+    return vec3_make(term->component == 0 ? along : 0.0, term->component == 1 ? along : 0.0,
+                     term->component == 2 ? along : 0.0);
+}
+
 /* The block's entry of the Jacobian along a direction, and transposed: the force on the block from
  * a force along it. */
-static vec3 map_to_block(const contact_jacobian_block *term, vec3 direction)
+static inline vec3 map_to_block(const contact_jacobian_block *term, vec3 direction)
 {
-    vec3 v = term->is_rotation ? vec3_cross(term->arm, direction) : direction;
-    return vec3_scale(v, term->weight);
+    return term->is_rotation ? map_to_rotation(term, direction)
+                             : vec3_scale(direction, term->weight);
 }
 
 /* Derivative of map_to_block's weights as the suture slides along the normal, per metre. */
@@ -146,7 +157,8 @@ static void add_point_motion(const contact_constraint *constraint, const uint32_
         }
         for (uint32_t q = 0; q < n; q++) {
             uint32_t schur_index = schur_indices[p * n + q];
-            if (schur_index != VBSS_NO_INDEX) {
+            /* The threads do not cross elsewhere because they roll. */
+            if (schur_index != VBSS_NO_INDEX && !constraint->jacobian[q].is_roll) {
                 add_product(&system->separator_blocks[schur_index], left,
                             map_to_block(&constraint->jacobian[q], gradient));
             }

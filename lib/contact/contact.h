@@ -3,8 +3,8 @@
  *
  * A constraint knows no body. Its Jacobian is a short list of blocks of the system, each with the
  * map from the block's increment to the motion of the contact point: a weight (a node), or a weight
- * and an arm (the rotation of a rigid body: u = w dtheta x arm). u, the displacement of side a
- * relative to side b, is the sum.
+ * and an arm (the rotation of a rigid body: u = w dtheta x arm; the roll of a thread's segment, which is one
+ * component of its block: u = w d arm). u, the displacement of side a relative to side b, is the sum.
  *
  * Order of calls in a substep:
  *   vbss_contact_clear -> vbss_contact_add -> vbss_contact_sort -> vbss_contact_warm_start
@@ -35,6 +35,8 @@ enum { CONTACT_MAX_JACOBIAN_BLOCKS = 10 };
 typedef struct contact_jacobian_block {
     uint32_t block;
     bool is_rotation;  /* the block is the increment of a rotation */
+    bool is_roll;      /* a rotation of which one component counts, with the unit vector `arm` */
+    uint8_t component; /* of a roll: 0 to 2 */
     bool is_on_side_b; /* two threads that slide: the block is a node of thread b */
     double weight;
     /* derivative of the weight, 1/m: of a sleeve as the suture slides along the normal, of two threads
@@ -321,12 +323,32 @@ void vbss_contact_eliminate_weld(const contact_weld *weld, vbss_system *system);
 /* The node's increment that follows from the body's increments, m. */
 vec3 vbss_contact_weld_increment(const contact_weld *weld, const vbss_system *system);
 
+/* ---- springs (spring.c): linear stiffness between separators, without a status */
+
+enum { CONTACT_SPRING_BLOCKS = 8 };
+/* Its elongation is the sum over the blocks of gradient . increment. Its force belongs to the bodies. */
+typedef struct contact_spring {
+    uint32_t count;
+    uint32_t blocks[CONTACT_SPRING_BLOCKS]; /* differ */
+    vec3 gradients[CONTACT_SPRING_BLOCKS];
+    double stiffness; /* not negative */
+    /* indices of its pairs, row by row */
+    uint32_t schur_indices[CONTACT_SPRING_BLOCKS * CONTACT_SPRING_BLOCKS];
+} contact_spring;
+/* Couples the separators of a spring; finds the indices of its blocks after the analysis. */
+vbss_result vbss_contact_register_spring(const contact_spring *spring, vbss_system *system);
+void vbss_contact_find_spring_indices(contact_spring *spring, const vbss_system *system);
+/* Adds its stiffness to the separators' system. */
+void vbss_contact_assemble_spring(const contact_spring *spring, vbss_system *system);
+
 /* ---- active set (active_set.c) */
 
 typedef struct contact_active_set_options {
     vbss_system *system; /* after vbss_system_condense */
     const contact_weld *welds;
     uint32_t weld_count;
+    const contact_spring *springs; /* of no welded node */
+    uint32_t spring_count;
     uint32_t max_solves; /* limit of solves; CONTACT_NOT_CONVERGED beyond it */
     /* Tolerances of the contact law: on forces, relative to the largest normal force plus absolute
      * in N; on penetration of an open constraint, relative to the thickness. */

@@ -26,6 +26,13 @@
  * Test: none known. */
 #define SCENE_MIN_DISTANCE_RATIO VBSS_TUNE(SCENE_MIN_DISTANCE_RATIO, 4e-9)
 
+/* ---- Rolls of threads with friction torque (solve/rolls.c) */
+
+/* Mass that resists roll within a substep, so that a thread that nothing holds has a roll.
+ * Unit: 1, relative to the mass of a segment. Origin: chosen: far below the spin inertia, which is a half, and far
+ * above rounding. Test: none known. */
+#define SCENE_ROLL_MASS_RATIO VBSS_TUNE(SCENE_ROLL_MASS_RATIO, 1e-6)
+
 /* ---- Contacts of threads that slide (contacts/sliding_contacts.c) */
 
 /* Damping of the least squares that find where two threads cross at the end of a substep.

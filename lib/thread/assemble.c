@@ -324,9 +324,11 @@ static void add_twist(const thread_object *t, vbss_system *system, uint32_t firs
 {
     for (uint32_t i = 0; i < t->node_count; i++) {
         system->rhs[first + i] = vec3_add(system->rhs[first + i], t->twist_forces[i]);
-        for (size_t side = 0; side < 2; side++) {
-            const lanes coupling = load(&t->twist_couplings[2 * (size_t)i + side]);
+        for (size_t k = 0; k < t->coupling_slots; k++) {
+            const lanes coupling = load(&t->twist_couplings[t->coupling_slots * (size_t)i + k]);
             add_outer(&system->diagonal[first + i], &coupling, &coupling);
+        }
+        for (size_t side = 0; side < 2; side++) {
             const thread_twist_stiffness *s = &t->twist_stiffness[2 * (size_t)i + side];
             if (s->has_before || s->has_after) {
                 add_twist_stiffness(t, i, s, system, first);

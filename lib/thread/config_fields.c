@@ -14,6 +14,7 @@ typedef struct values {
 #define WORD(name) VBSS_WORD(values, config.name)
 #define NUMBER(name) VBSS_NUMBER(values, config.name)
 #define NUMBER_SINCE(name, since) VBSS_NUMBERS_SINCE(values, config.name, 1, since)
+#define WORD_SINCE(name, since) VBSS_WORD_SINCE(values, config.name, since)
 #define BASELINE_WORD(name) VBSS_WORD(values, baseline.name)
 #define BASELINE_NUMBER(name) VBSS_NUMBER(values, baseline.name)
 
@@ -57,6 +58,7 @@ static const vbss_field fields[] = {
     NUMBER_SINCE(relaxation_time, 2),
     NUMBER_SINCE(torsional_stiffness, 3),
     NUMBER_SINCE(rest_twist, 3),
+    WORD_SINCE(friction_torque, 4),
 };
 
 void vbss_thread_visit_config(vbss_stream *stream, vbss_thread_config *config,
@@ -64,7 +66,7 @@ void vbss_thread_visit_config(vbss_stream *stream, vbss_thread_config *config,
 {
     static const vbss_baseline_fields table = {fields, sizeof fields / sizeof fields[0],
                                                offsetof(values, baseline),
-                                               VBSS_CODE('T', 'C', 'F', 'G'), 3};
+                                               VBSS_CODE('T', 'C', 'F', 'G'), 4};
     if (stream->mode == VBSS_STREAM_READ) {
         config->relaxation_time = 1.0; /* the default, in descriptions of version 1 */
     }

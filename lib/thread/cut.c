@@ -44,6 +44,10 @@ static void copy_nodes(thread_object *piece, uint32_t to, const thread_object *t
         memcpy(piece->now.bend + 2 * (size_t)to, t->now.bend + 2 * (size_t)from,
                2 * (size_t)count * sizeof *t->now.bend);
     }
+    if (thread_has_friction_torque(t)) {
+        memcpy(piece->now.half_twists + 2 * (size_t)to, t->now.half_twists + 2 * (size_t)from,
+               2 * (size_t)(count - 1) * sizeof(double));
+    }
     memcpy(piece->rest + to, t->rest + from, (count - 1) * sizeof(double));
     piece->node_count = to + count;
 }
@@ -58,6 +62,15 @@ static void set_node(thread_object *t, uint32_t node, vec3 x, vec3 v)
     }
 }
 
+/* Friction torque: each half of the segment keeps its twist per length. */
+static void split_twist(thread_object *t, thread_object *piece, const thread_cut *cut)
+{
+    double *halves = t->now.half_twists + 2 * (size_t)cut->segment;
+    piece->now.half_twists[0] = piece->now.half_twists[1] = halves[1] * (1.0 - cut->fraction);
+    halves[0] *= cut->fraction;
+    halves[1] = halves[0];
+}
+
 static void split_nodes(thread_object *t, thread_object *piece, const thread_cut *cut)
 {
     uint32_t end = cut->segment + 1;
@@ -70,6 +83,9 @@ static void split_nodes(thread_object *t, thread_object *piece, const thread_cut
         set_node(piece, 0, x, v);
         piece->rest[0] = t->rest[cut->segment] * (1.0 - cut->fraction);
         piece->now.tension[0] = t->now.tension[cut->segment];
+        if (thread_has_friction_torque(t)) {
+            split_twist(t, piece, cut);
+        }
         set_node(t, end, x, v);
         t->rest[cut->segment] *= cut->fraction;
     }
@@ -88,6 +104,9 @@ static void split_attachments(thread_object *t, thread_object *piece, const thre
             piece->attachments[i].node -= cut->node_shift;
             if (thread_has_twist(t)) {
                 piece->now.frames[i] = t->now.frames[i];
+            }
+            if (thread_has_friction_torque(t)) {
+                piece->now.held_rolls[i] = t->now.held_rolls[i];
             }
             *a = (thread_attachment){0};
         }

@@ -6,13 +6,16 @@
 
 #include <string.h>
 
-enum { ARRAY_COUNT = 21 };
+enum { ARRAY_COUNT = 29 };
 
 static void list_arrays(thread_object *t, vbss_array arrays[ARRAY_COUNT])
 {
     size_t n = t->node_capacity, bends = thread_has_memory(t) ? n : 0;
     const size_t twists = thread_has_twist(t) ? n : 0,
-                 holders = thread_has_twist(t) ? t->config.attachment_capacity : 0;
+                 holders = thread_has_twist(t) ? t->config.attachment_capacity : 0,
+                 slots = thread_has_friction_torque(t) ? 3 : 2,
+                 rolls = thread_has_friction_torque(t) ? n : 0,
+                 held = thread_has_friction_torque(t) ? holders : 0;
     const vbss_array all[] = {
         {&t->bending_matrix, n, sizeof *t->bending_matrix},
         {&t->rest_curvature_forces, n, sizeof(vec3)},
@@ -28,13 +31,21 @@ static void list_arrays(thread_object *t, vbss_array arrays[ARRAY_COUNT])
         {&t->now.frames, holders, sizeof *t->now.frames},
         {&t->saved.frames, holders, sizeof *t->saved.frames},
         {&t->holders, holders, sizeof *t->holders},
-        {&t->twist_spans, holders, sizeof *t->twist_spans},
+        {&t->twist_spans, holders + rolls, sizeof *t->twist_spans},
         {&t->twist_stiffness, 2 * twists, sizeof *t->twist_stiffness},
         {&t->twist_forces, twists, sizeof(vec3)},
-        {&t->twist_couplings, 2 * twists, sizeof(vec3)},
+        {&t->twist_couplings, slots * twists, sizeof(vec3)},
         {&t->twist_scratch, twists, sizeof(vec3)},
         {&t->twists, twists, sizeof *t->twists},
         {&t->material_directors, twists, sizeof(vec3)},
+        {&t->now.half_twists, 2 * rolls, sizeof(double)},
+        {&t->saved.half_twists, 2 * rolls, sizeof(double)},
+        {&t->now.held_rolls, held, sizeof(double)},
+        {&t->saved.held_rolls, held, sizeof(double)},
+        {&t->has_roll, rolls, sizeof *t->has_roll},
+        {&t->roll_angles, rolls, sizeof *t->roll_angles},
+        {&t->is_span_exact, held + rolls, sizeof *t->is_span_exact},
+        {&t->span_gradients, held + rolls, sizeof *t->span_gradients},
     };
     _Static_assert(sizeof all == ARRAY_COUNT * sizeof(vbss_array), "the table has its length");
     memcpy(arrays, all, sizeof all);
@@ -45,6 +56,7 @@ static vbss_result create_thread(thread_object *t)
     vbss_array arrays[ARRAY_COUNT];
     list_arrays(t, arrays);
     VBSS_TRY(vbss_allocate_arrays(t->context, arrays, ARRAY_COUNT, "thread"));
+    t->coupling_slots = thread_has_friction_torque(t) ? 3 : 2;
     /* A spring makes a group of separators, which is coupled with the next on either side. */
     uint32_t separators = THREAD_BANDWIDTH * t->config.attachment_capacity;
     return vbss_system_create(t->context, t->node_capacity, THREAD_BANDWIDTH, separators,

@@ -26,7 +26,9 @@ void vbss_thread_add_section_holder(thread_object *t, uint32_t attachment)
     thread_section_frame *frame = &t->now.frames[attachment],
                          *low_frame = low != NULL ? &t->now.frames[low - t->attachments] : NULL;
     double before = 0.0, after = 0.0;
-    if (low != NULL && high != NULL) {
+    if (thread_has_friction_torque(t)) { /* each segment knows its twist */
+        t->now.held_rolls[attachment] = new->roll;
+    } else if (low != NULL && high != NULL) {
         const double from = vbss_thread_arc_length(t, low->node),
                      to = vbss_thread_arc_length(t, high->node);
         const double whole = low_frame->shape_twist + high->roll - low->roll;
@@ -46,6 +48,9 @@ void vbss_thread_add_section_holder(thread_object *t, uint32_t attachment)
 
 void vbss_thread_remove_section_holder(thread_object *t, uint32_t attachment)
 {
+    if (thread_has_friction_torque(t)) {
+        return;
+    }
     const uint32_t node = t->attachments[attachment].node;
     const thread_attachment *low = find_holder_beside(t, node, false);
     if (low != NULL && find_holder_beside(t, node, true) != NULL) {
@@ -112,7 +117,7 @@ static void move_holder(thread_object *t, thread_attachment *a, uint32_t node)
                             *high = find_holder_beside(t, a->node, true);
     const thread_attachment *from = node > a->node ? a : low, *to = node > a->node ? high : a;
     thread_section_frame *frames = t->now.frames;
-    if (from != NULL && to != NULL) {
+    if (from != NULL && to != NULL && !thread_has_friction_torque(t)) {
         const double whole = frames[from - t->attachments].shape_twist + to->roll - from->roll;
         const double here = vbss_thread_arc_length(t, a->node);
         const double passed =
@@ -159,9 +164,12 @@ double vbss_thread_section_stiffness(const thread_object *t, const thread_attach
     double sum = 0.0;
     for (int side = 0; side < 2; side++) {
         const thread_attachment *other = find_holder_beside(t, a->node, side == 1);
-        if (other != NULL) {
-            sum +=
-                t->config.torsional_stiffness / fabs(vbss_thread_arc_length(t, other->node) - here);
+        double distance = other != NULL ? fabs(vbss_thread_arc_length(t, other->node) - here) : 0.0;
+        if (thread_has_friction_torque(t)) {
+            distance = vbss_thread_distance_to_torque(t, a->node, side == 1, distance);
+        }
+        if (distance > 0.0) {
+            sum += t->config.torsional_stiffness / distance;
         }
     }
     return sum;

@@ -110,6 +110,15 @@ static void visit_twist(vbss_stream *stream, thread_object *t)
     }
 }
 
+/* Friction torque only: its state. */
+static void visit_contact_rolls(vbss_stream *stream, thread_object *t)
+{
+    const size_t segments = t->node_count > 0 ? t->node_count - 1 : 0;
+    vbss_stream_expect(stream, 96, t->config.friction_torque);
+    vbss_stream_f64(stream, 97, t->now.half_twists, 2 * segments);
+    vbss_stream_f64(stream, 98, t->now.held_rolls, t->config.attachment_capacity);
+}
+
 /* Refuses a snapshot in which two attachments prescribe one node. */
 static void check_prescribed_nodes(vbss_stream *stream, const thread_object *t)
 {
@@ -234,6 +243,9 @@ void vbss_thread_serialise(vbss_stream *stream, void *object)
     if (thread_has_twist(t)) {
         visit_twist(stream, t);
     }
+    if (thread_has_friction_torque(t)) {
+        visit_contact_rolls(stream, t);
+    }
     if (stream->mode == VBSS_STREAM_READ) {
         t->is_acceleration_unknown = is_acceleration_unknown != 0;
         t->is_in_setup = is_in_setup != 0;
@@ -260,5 +272,11 @@ void vbss_thread_copy_state(const thread_object *t, thread_state *to, const thre
     }
     if (thread_has_twist(t)) {
         memcpy(to->frames, from->frames, t->config.attachment_capacity * sizeof *to->frames);
+    }
+    if (thread_has_friction_torque(t)) {
+        memcpy(to->half_twists, from->half_twists,
+               2 * (size_t)(t->node_count - 1) * sizeof *to->half_twists);
+        memcpy(to->held_rolls, from->held_rolls,
+               t->config.attachment_capacity * sizeof *to->held_rolls);
     }
 }

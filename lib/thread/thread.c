@@ -121,7 +121,7 @@ static vbss_result check_choices(vbss_context *context, const vbss_thread_config
         {"stretch_tolerance", c->stretch_tolerance, 1e-12, 1e-2},
         {"position_tolerance", c->position_tolerance, 1e-12, 1.0},
         {"mesh", c->mesh, VBSS_THREAD_MESH_FIXED, VBSS_THREAD_MESH_ADAPTIVE},
-        {"reserved", c->reserved, 0.0, 0.0},
+        {"friction_torque", c->friction_torque, 0.0, 1.0},
         {"yield_curvature", c->yield_curvature, 0.0, 1e6},
         {"yield_hardening", c->yield_hardening, 0.0, 0.999},
         {"relaxation_ratio", c->relaxation_ratio, 0.0, 1e3},
@@ -173,9 +173,12 @@ static vbss_result check_memory(vbss_context *context, const vbss_thread_config 
 static vbss_result check_twist(vbss_context *context, const vbss_thread_config *c)
 {
     if (c->torsional_stiffness == 0.0) {
-        return c->rest_twist == 0.0 ? VBSS_OK
-                                    : vbss_fail(context, VBSS_ERROR_INCOMPATIBLE,
-                                                "rest_twist needs a torsional_stiffness above 0");
+        const char *field = c->rest_twist != 0.0      ? "rest_twist"
+                            : c->friction_torque != 0 ? "friction_torque"
+                                                      : NULL;
+        return field == NULL ? VBSS_OK
+                             : vbss_fail(context, VBSS_ERROR_INCOMPATIBLE,
+                                         "%s needs a torsional_stiffness above 0", field);
     }
     const char *other = c->method != VBSS_METHOD_IMPLICIT   ? "VBSS_METHOD_VBLAST"
                         : c->mesh != VBSS_THREAD_MESH_FIXED ? "an adaptive mesh"

@@ -22,6 +22,10 @@ enum {
     THREAD_STENCIL_NODES = THREAD_CLAMP_BANDWIDTH + 1
 };
 
+/* Friction torque: the largest span whose twist is part of the matrix; the end of a span at a holder. */
+enum { THREAD_EXACT_SPAN_NODES = 6 };
+#define THREAD_NO_ROLL UINT32_MAX
+
 typedef struct thread_attachment {
     uint32_t id; /* 0: unused */
     vbss_thread_attachment_kind kind;
@@ -80,12 +84,17 @@ typedef struct thread_section_holder {
 
 /* The thread between two holders that follow each other, in the trial or in the current state. */
 typedef struct thread_twist_span {
-    uint32_t low, high; /* nodes of the holders */
-    bool is_clamped[2]; /* an end has the direction of a clamp, or that of its chord */
+    uint32_t low, high;       /* nodes of the holders */
+    uint32_t holder_index[2]; /* in thread_object::holders; unused at the segment of a contact */
+    bool is_clamped[2];       /* an end has the direction of a clamp, or that of its chord */
     vec3 direction[2],
-        director[2];           /* of the holders; without clamp those at the start of the substep */
-    double length;             /* at rest, m */
-    double roll_difference;    /* roll of the high holder minus that of the low one, rad */
+        director[2];        /* of the holders; without clamp those at the start of the substep */
+    double length;          /* at rest, m */
+    double roll_difference; /* roll of the high holder minus that of the low one, rad */
+    /* Friction torque: the segment of a contact at an end, THREAD_NO_ROLL at a holder; and the part of
+     * roll_difference that is due to holders, rad */
+    uint32_t roll_segment[2];
+    double held_difference;
     double shape_twist, twist; /* without and with that difference, rad */
     double torque;             /* N m */
     /* angle between the directors, and shape_twist, at the start of the substep, rad */
@@ -111,6 +120,9 @@ typedef struct thread_state {
     /* an entry for each attachment, used by those that hold the section; no entries without twist
      * (implicit method) */
     thread_section_frame *frames;
+    /* friction torque; no entries without it: twist of both halves of each segment, rad, and the roll of
+     * each attachment that holds the section, rad */
+    double *half_twists, *held_rolls;
 } thread_state;
 
 /* Part of a clamp in the bending energy:
@@ -253,9 +265,18 @@ struct thread_object {
     /* twist (implicit method): an entry for each pair of neighbouring holders; two for each node, of which
      * the second belongs to the span that begins there; and one for each node */
     thread_twist_span *twist_spans;
+    uint32_t twist_span_count;
+    uint32_t coupling_slots; /* entries of twist_couplings for a node: 2, with friction torque 3 */
     thread_twist_stiffness *twist_stiffness; /* two */
     vec3 *twist_couplings;                   /* two; see twist.c */
     vec3 *twist_forces, *twist_scratch;      /* one, N */
+    /* Friction torque (contact_rolls.c): for each segment whether its roll is an unknown of the substep,
+     * and the trial roll, rad; for each span whether the matrix contains its twist, and then the
+     * gradients of the twist with its nodes, 1/m */
+    uint8_t *has_roll, *is_span_exact;
+    double *roll_angles;
+    vec3 (*span_gradients)[THREAD_EXACT_SPAN_NODES];
+    uint32_t roll_count; /* segments with a roll */
     thread_strain *strains;
     struct baseline_thread *baseline; /* state of lib/baseline; NULL by the implicit method */
 

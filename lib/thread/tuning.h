@@ -139,6 +139,12 @@
  * Unit: Pa. Origin: chosen. Test: none known. */
 #define SUTURE_NYLON_MODULUS VBSS_TUNE(SUTURE_NYLON_MODULUS, 2.5e9)
 
+/* ---- Twist with friction torque (contact_rolls.c) */
+
+/* Twists per length that differ by more than this have different torques.
+ * Unit: 1, relative to the sum of both. Origin: chosen: above rounding. Test: none known. */
+#define THREAD_TORQUE_CHANGE VBSS_TUNE(THREAD_TORQUE_CHANGE, 1e-9)
+
 /* ---- Baseline (baseline/divergence.c, thread_forces.c, thread_projection.c, thread_step.c) */
 
 /* The bending energy is linear in the cosine beyond this turn.

@@ -55,6 +55,17 @@ static thread_twist_stiffness stiffness_of(const thread_turn *turn, double torqu
 
 /* ---- a linearisation */
 
+/* A node is in at most two spans between holders; with friction torque in three, as each of the turns about
+ * it may be in a span of its own. */
+static size_t coupling_slot(const thread_object *t, const thread_twist_span *span, uint32_t node)
+{
+    if (!thread_has_friction_torque(t)) {
+        return node == span->low;
+    }
+    const uint32_t last = thread_last_turn(span), turn = node + 1 < last ? node + 1 : last;
+    return turn + 1 - node;
+}
+
 /* Sets the couplings w of a span's nodes from the gradient of its twist. The sum of their w w^T is at least
  * stiffness gradient gradient^T (Cauchy and Schwarz). */
 static void set_couplings(thread_object *t, const thread_twist_span *span, const vec3 *gradient)
@@ -67,8 +78,17 @@ static void set_couplings(thread_object *t, const thread_twist_span *span, const
     for (uint32_t i = span->low; i <= span->high; i++) {
         const double norm = vec3_norm(gradient[i]);
         const double factor = norm > 0.0 ? sqrt(stiffness * sum / norm) : 0.0;
-        t->twist_couplings[2 * (size_t)i + (i == span->low)] = vec3_scale(gradient[i], factor);
+        const size_t slot = coupling_slot(t, span, i);
+        t->twist_couplings[t->coupling_slots * (size_t)i + slot] = vec3_scale(gradient[i], factor);
     }
+}
+
+/* A span whose twist is part of the matrix needs no couplings but its gradients. */
+static void keep_gradients(thread_object *t, uint32_t k, const vec3 *gradient)
+{
+    const thread_twist_span *span = &t->twist_spans[k];
+    memcpy(t->span_gradients[k], gradient + span->low,
+           (span->high - span->low + 1) * sizeof *gradient);
 }
 
 void vbss_thread_update_twist(thread_object *t, const thread_substep *substep)
@@ -77,9 +97,9 @@ void vbss_thread_update_twist(thread_object *t, const thread_substep *substep)
     /* With no compression left in the matrix, the part that is not definite goes too. */
     const bool has_stiffness = substep->min_tension < 0.0;
     memset(t->twist_forces, 0, n * sizeof *t->twist_forces);
-    memset(t->twist_couplings, 0, 2 * n * sizeof *t->twist_couplings);
+    memset(t->twist_couplings, 0, t->coupling_slots * n * sizeof *t->twist_couplings);
     memset(t->twist_stiffness, 0, 2 * n * sizeof *t->twist_stiffness);
-    for (uint32_t k = 0; k + 1 < t->holder_count; k++) {
+    for (uint32_t k = 0; k < t->twist_span_count; k++) {
         thread_twist_span *span = &t->twist_spans[k];
         vec3 *gradient = t->twist_scratch;
         vbss_thread_set_twist(t, t->trial, span);
@@ -93,7 +113,11 @@ void vbss_thread_update_twist(thread_object *t, const thread_substep *substep)
                     stiffness_of(&turn, span->torque);
             }
         }
-        set_couplings(t, span, gradient);
+        if (thread_has_friction_torque(t) && t->is_span_exact[k] != 0) {
+            keep_gradients(t, k, gradient);
+        } else if (thread_last_turn(span) >= thread_first_turn(span)) {
+            set_couplings(t, span, gradient);
+        }
     }
 }
 
@@ -122,13 +146,15 @@ double vbss_thread_twist_residual(thread_object *t, const vbss_integration *in, 
     vec3 *error = t->twist_scratch;
     memcpy(error, t->twist_forces, t->node_count * sizeof *error);
     for (uint32_t i = 0; i < t->node_count; i++) {
-        for (size_t side = 0; side < 2; side++) {
-            const vec3 w = t->twist_couplings[2 * (size_t)i + side];
+        for (size_t k = 0; k < t->coupling_slots; k++) {
+            const vec3 w = t->twist_couplings[t->coupling_slots * (size_t)i + k];
             error[i] = vec3_add_scaled(error[i], -vec3_dot(w, u[i]), w);
+        }
+        for (size_t side = 0; side < 2; side++) {
             subtract_stiffness(&t->twist_stiffness[2 * (size_t)i + side], i, u, error);
         }
     }
-    for (uint32_t k = 0; k + 1 < t->holder_count; k++) {
+    for (uint32_t k = 0; k < t->twist_span_count; k++) {
         thread_twist_span *span = &t->twist_spans[k];
         vbss_thread_set_twist(t, t->trial, span);
         for (uint32_t i = thread_first_turn(span); i <= thread_last_turn(span); i++) {
@@ -151,8 +177,9 @@ double vbss_thread_twist_residual(thread_object *t, const vbss_integration *in, 
 
 double vbss_thread_twist_energy(const thread_object *t)
 {
+    const uint32_t spans = vbss_thread_count_spans(t);
     double energy = 0.0;
-    for (uint32_t k = 0; k + 1 < t->holder_count; k++) {
+    for (uint32_t k = 0; k < spans; k++) {
         const thread_twist_span span = vbss_thread_twist_span(t, k);
         energy += 0.5 * span.length * span.torque * span.torque / t->config.torsional_stiffness;
     }
@@ -161,8 +188,9 @@ double vbss_thread_twist_energy(const thread_object *t)
 
 vec3 vbss_thread_twist_force(const thread_object *t, uint32_t node)
 {
+    const uint32_t spans = vbss_thread_count_spans(t);
     vec3 force = vec3_zero();
-    for (uint32_t k = 0; k + 1 < t->holder_count; k++) {
+    for (uint32_t k = 0; k < spans; k++) {
         const thread_twist_span span = vbss_thread_twist_span(t, k);
         if (node < span.low || node > span.high) {
             continue;
@@ -191,12 +219,13 @@ static vec3 end_torque(const thread_object *t, const thread_twist_span *span, in
 
 vec3 vbss_thread_twist_torque(const thread_object *t, uint32_t node)
 {
+    const uint32_t spans = vbss_thread_count_spans(t);
     vec3 sum = vec3_zero();
-    for (uint32_t k = 0; k + 1 < t->holder_count; k++) {
+    for (uint32_t k = 0; k < spans; k++) {
         const thread_twist_span span = vbss_thread_twist_span(t, k);
-        if (span.high == node) {
+        if (span.high == node && span.roll_segment[1] == THREAD_NO_ROLL) {
             sum = vec3_add(sum, end_torque(t, &span, 1));
-        } else if (span.low == node) {
+        } else if (span.low == node && span.roll_segment[0] == THREAD_NO_ROLL) {
             sum = vec3_sub(sum, end_torque(t, &span, 0));
         }
     }

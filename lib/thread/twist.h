@@ -22,6 +22,12 @@ static inline bool thread_has_twist(const thread_object *t)
     return t->config.torsional_stiffness > 0.0;
 }
 
+/* Whether contacts in a scene resist roll of the thread. */
+static inline bool thread_has_friction_torque(const thread_object *t)
+{
+    return t->config.friction_torque != 0;
+}
+
 /* Whether an attachment holds the section of a thread with twist. */
 static inline bool thread_holds_section(const thread_attachment *a)
 {
@@ -54,8 +60,13 @@ static inline uint32_t thread_last_turn(const thread_twist_span *span)
 /* The turn of a span at one of these nodes, with the nodes at `x`. */
 thread_turn vbss_thread_turn(const vec3 *x, const thread_twist_span *span, uint32_t node);
 
-/* The span between holders `index` and `index` + 1 in the current state, without directors. */
+/* Number of spans in the current state, and one of them, without directors. With friction torque each
+ * segment's middle ends a span, else only holders do. */
+uint32_t vbss_thread_count_spans(const thread_object *t);
 thread_twist_span vbss_thread_twist_span(const thread_object *t, uint32_t index);
+
+/* Sets twist and torque of a span from shape_twist and roll_difference. */
+void vbss_thread_set_span_torque(const thread_object *t, thread_twist_span *span);
 
 /* Prepares a substep: spans with their holders at its end. A function of the state and of the holders. */
 void vbss_thread_begin_twist(thread_object *t);
@@ -75,6 +86,30 @@ vec3 vbss_thread_chord_direction(const vec3 *x, uint32_t segment);
 /* Direction of the thread at a holder: that of its chord towards higher nodes, or of the clamp. */
 vec3 vbss_thread_holder_direction(const vec3 *x, uint32_t node_count,
                                   const thread_section_holder *holder);
+
+/* ---- contact_rolls.c: friction torque */
+
+/* Forgets the rolls of contacts; then chooses a segment whose roll is an unknown of the next substep. */
+void vbss_thread_clear_contact_rolls(thread_object *t);
+void vbss_thread_add_contact_roll(thread_object *t, uint32_t segment);
+
+/* The same as vbss_thread_count_spans and vbss_thread_twist_span, with friction torque. */
+uint32_t vbss_thread_count_fine_spans(const thread_object *t);
+thread_twist_span vbss_thread_fine_span(const thread_object *t, uint32_t index);
+
+/* Lists the spans of a substep in twist_spans, without directors. */
+void vbss_thread_list_roll_spans(thread_object *t);
+
+/* Part of a span's roll_difference from rolls of contacts in the trial state, rad. */
+double vbss_thread_contact_roll_difference(const thread_object *t, const thread_twist_span *span);
+
+/* Stores the twist of all spans in the trial state as that of their segments. */
+void vbss_thread_commit_contact_rolls(thread_object *t);
+
+/* Distance from a node, towards higher nodes if `after`, to where the torque changed in the last substep, m;
+ * `largest` if it did not within it (0: no limit). */
+double vbss_thread_distance_to_torque(const thread_object *t, uint32_t node, bool after,
+                                      double largest);
 
 /* ---- attachments.c: holders of the section */
 

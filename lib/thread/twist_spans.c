@@ -108,18 +108,27 @@ static double angle_between_directors(const vec3 *x, const thread_twist_span *sp
 
 /* ---- spans */
 
-static void set_torque(const thread_object *t, thread_twist_span *span)
+void vbss_thread_set_span_torque(const thread_object *t, thread_twist_span *span)
 {
     span->twist = span->shape_twist + span->roll_difference;
     span->torque =
         t->config.torsional_stiffness * (span->twist / span->length - t->config.rest_twist);
 }
 
-thread_twist_span vbss_thread_twist_span(const thread_object *t, uint32_t index)
+uint32_t vbss_thread_count_spans(const thread_object *t)
+{
+    const uint32_t between_holders = t->holder_count > 0 ? t->holder_count - 1 : 0;
+    return thread_has_friction_torque(t) ? vbss_thread_count_fine_spans(t) : between_holders;
+}
+
+static thread_twist_span span_between_holders(const thread_object *t, uint32_t index)
 {
     const thread_section_holder *holders = &t->holders[index];
     const thread_section_frame *low_frame = &t->now.frames[holders[0].attachment_index];
-    thread_twist_span span = {.low = holders[0].node, .high = holders[1].node};
+    thread_twist_span span = {.low = holders[0].node,
+                              .high = holders[1].node,
+                              .holder_index = {index, index + 1},
+                              .roll_segment = {THREAD_NO_ROLL, THREAD_NO_ROLL}};
     for (int end = 0; end < 2; end++) {
         span.is_clamped[end] = holders[end].is_clamp;
         span.direction[end] =
@@ -130,8 +139,14 @@ thread_twist_span vbss_thread_twist_span(const thread_object *t, uint32_t index)
     span.length = vbss_thread_arc_length(t, span.high) - vbss_thread_arc_length(t, span.low);
     span.roll_difference = holders[1].roll - holders[0].roll;
     span.shape_twist = low_frame->shape_twist;
-    set_torque(t, &span);
+    vbss_thread_set_span_torque(t, &span);
     return span;
+}
+
+thread_twist_span vbss_thread_twist_span(const thread_object *t, uint32_t index)
+{
+    return thread_has_friction_torque(t) ? vbss_thread_fine_span(t, index)
+                                         : span_between_holders(t, index);
 }
 
 vec3 vbss_thread_holder_direction(const vec3 *x, uint32_t node_count,
@@ -145,9 +160,16 @@ vec3 vbss_thread_holder_direction(const vec3 *x, uint32_t node_count,
 
 void vbss_thread_begin_twist(thread_object *t)
 {
-    for (uint32_t k = 0; k + 1 < t->holder_count; k++) {
+    if (thread_has_friction_torque(t)) {
+        vbss_thread_list_roll_spans(t);
+    } else {
+        t->twist_span_count = vbss_thread_count_spans(t);
+        for (uint32_t k = 0; k < t->twist_span_count; k++) {
+            t->twist_spans[k] = span_between_holders(t, k);
+        }
+    }
+    for (uint32_t k = 0; k < t->twist_span_count; k++) {
         thread_twist_span *span = &t->twist_spans[k];
-        *span = vbss_thread_twist_span(t, k);
         for (int end = 0; end < 2; end++) {
             span->director[end] = vec3_any_normal(span->direction[end]);
         }
@@ -155,7 +177,7 @@ void vbss_thread_begin_twist(thread_object *t)
         span->start_angle = angle_between_directors(t->now.x, span);
         for (int end = 0; end < 2; end++) {
             if (span->is_clamped[end]) {
-                const vec3 direction = t->holders[k + (uint32_t)end].direction;
+                const vec3 direction = t->holders[span->holder_index[end]].direction;
                 span->director[end] =
                     transport_between(span->director[end], span->direction[end], direction);
                 span->direction[end] = direction;
@@ -167,17 +189,25 @@ void vbss_thread_begin_twist(thread_object *t)
 void vbss_thread_set_twist(const thread_object *t, const vec3 *x, thread_twist_span *span)
 {
     const double change = angle_between_directors(x, span) - span->start_angle;
+    if (thread_has_friction_torque(t)) {
+        span->roll_difference =
+            span->held_difference + vbss_thread_contact_roll_difference(t, span);
+    }
     span->shape_twist =
         span->start_twist + (change - VBSS_TWO_PI * floor(change / VBSS_TWO_PI + 0.5));
-    set_torque(t, span);
+    vbss_thread_set_span_torque(t, span);
 }
 
 void vbss_thread_commit_twist(thread_object *t)
 {
+    const bool has_friction_torque = thread_has_friction_torque(t);
+    if (has_friction_torque) {
+        vbss_thread_commit_contact_rolls(t);
+    }
     for (uint32_t k = 0; k < t->holder_count; k++) {
         const thread_section_holder *holder = &t->holders[k];
         thread_section_frame *frame = &t->now.frames[holder->attachment_index];
-        if (k + 1 < t->holder_count) {
+        if (k + 1 < t->holder_count && !has_friction_torque) {
             vbss_thread_set_twist(t, t->trial, &t->twist_spans[k]);
             frame->shape_twist = t->twist_spans[k].shape_twist;
         }
@@ -194,7 +224,11 @@ static void fill_twists(thread_object *t)
     for (uint32_t i = 0; i + 1 < t->node_count; i++) {
         t->twists[i] = 0.0;
     }
-    for (uint32_t k = 0; k + 1 < t->holder_count; k++) {
+    for (uint32_t i = 0; thread_has_friction_torque(t) && i + 1 < t->node_count; i++) {
+        const double *halves = t->now.half_twists + 2 * (size_t)i;
+        t->twists[i] = (halves[0] + halves[1]) / t->rest[i];
+    }
+    for (uint32_t k = 0; !thread_has_friction_torque(t) && k + 1 < t->holder_count; k++) {
         const thread_twist_span span = vbss_thread_twist_span(t, k);
         for (uint32_t i = span.low; i < span.high; i++) {
             t->twists[i] = span.twist / span.length;
@@ -207,7 +241,11 @@ static vec3 next_director(const thread_object *t, uint32_t from, uint32_t to, ve
 {
     const vec3 before = vbss_thread_chord_direction(t->now.x, from),
                after = vbss_thread_chord_direction(t->now.x, to);
-    const double twist = 0.5 * (t->twists[from] * t->rest[from] + t->twists[to] * t->rest[to]);
+    const uint32_t low = to > from ? from : to;
+    const double twist =
+        thread_has_friction_torque(t)
+            ? t->now.half_twists[2 * (size_t)low + 1] + t->now.half_twists[2 * (size_t)low + 2]
+            : 0.5 * (t->twists[from] * t->rest[from] + t->twists[to] * t->rest[to]);
     return roll_director(transport_between(director, before, after), after,
                          to > from ? twist : -twist);
 }

@@ -282,17 +282,27 @@ static void run_scene(scene_scene_kind kind, uint64_t *hashes, size_t count)
 }
 
 /* Threads with twist, and with plastic and viscous bending. No other scene has such threads. */
-static void run_scene_roll(uint64_t *hashes, size_t count)
+static void run_rolled_scene(bool has_friction_torque, uint64_t *hashes, size_t count)
 {
     vbss_context *context;
     rolled_scene scene;
     must(vbss_context_create(NULL, &context));
-    must(rolled_scene_create(context, &scene));
+    must(rolled_scene_create(context, has_friction_torque, &scene));
     for (size_t i = 0; i < count; i++) {
         must(rolled_scene_step(&scene));
         must(vbss_scene_get_hash(scene.scene, &hashes[i]));
     }
     must(vbss_context_destroy(context));
+}
+
+static void run_scene_roll(uint64_t *hashes, size_t count)
+{
+    run_rolled_scene(false, hashes, count);
+}
+
+static void run_friction_torque(uint64_t *hashes, size_t count)
+{
+    run_rolled_scene(true, hashes, count);
 }
 
 static void run_scene_knot(uint64_t *hashes, size_t count)
@@ -731,6 +741,7 @@ const golden_scene golden_scenes[] = {
     {"scene-knot", 64, 2, run_scene_knot}, /* tight at 58 */
     {"scene-tools", 80, 6, run_scene_tools},
     {"scene-roll", 60, 18, run_scene_roll},             /* the section is held from 16 to 45 */
+    {"friction-torque", 60, 18, run_friction_torque},   /* two threads touch; cut at 50 */
     {"scene-mesh", 60, 2, run_scene_mesh},              /* cut at 44 */
     {"graspers", TOOL_RUN_STEPS / 5, 12, run_graspers}, /* both hold at 11 */
     {"graspers-paper", 30, 12, run_graspers_paper},     /* then it loses the thread */

@@ -508,6 +508,7 @@ knot_type knot_type_of_kind(knot_kind kind, bool mirrored)
         [KNOT_FLS] = {3, {2, 1, 1}, {1, -1, 1}},
         [KNOT_HALF_HITCHES] = {2, {1, 1}, {1, 1}},
         [KNOT_REVERSED_HALF_HITCHES] = {2, {1, 1}, {1, -1}},
+        [KNOT_THREE_THROWS] = {3, {1, 1, 1}, {1, -1, 1}},
     };
     knot_type type = knot_type_of_throws(kinds[kind].throws, kinds[kind].wraps, kinds[kind].signs);
     type.v3 = mirrored ? -type.v3 : type.v3;

@@ -39,6 +39,20 @@ def test_a_clamp_rolls_a_thread_with_torsional_stiffness(context):
         plain.set_roll(plain.attach("clamp", 0, direction=(1, 0, 0)), 0.5)
 
 
+def test_a_thread_with_friction_torque_rolls_where_another_sticks(context):
+    scene = vb.Scene(context, floor=True, floor_friction=0.3, thread_capacity=2, node_capacity=50)
+    threads = [vb.Thread(context, segment_count=10, length=0.01, radius=1e-4, start=(0, 1e-4, 0.01 * k),
+                         gravity=(0, -9.7, 1.5), torsional_stiffness=1e-8, friction_torque=k) for k in range(2)]
+    for thread in threads:
+        scene.add(thread)
+    for _ in range(100):
+        scene.step(1e-3)
+    assert threads[0].positions[5][2] == pytest.approx(0.0, abs=2e-5)
+    assert threads[1].positions[5][2] == pytest.approx(0.01 + 0.5 * 1.5 * 0.1**2, rel=0.02)
+    with pytest.raises(vb.IncompatibleError):
+        vb.Thread(context, friction_torque=1)
+
+
 def test_attachments_move_and_go(context):
     thread = vb.Thread(context, segment_count=10, gravity=(0, 0, 0))
     pin = thread.attach(vb.ThreadAttachmentKind.PIN, 10)

@@ -7,12 +7,13 @@
 static const vbss_scene_capsule ball = {{0.0, 0.02, 0.0}, {0.0, 0.02, 0.0}, 1e-3};
 
 /* What fails leaves the scene as it was, and what comes afterwards finds all its room. */
-static void body_without_memory_is_not_added(void **state)
+static void expect_no_body_without_memory(uint32_t friction_torque, uint64_t calls)
 {
-    (void)state;
-    for (uint64_t k = 1; k <= 12; k++) {
+    for (uint64_t k = 1; k <= calls; k++) {
         small s;
         small_begin_scene(&s);
+        s.thread.torsional_stiffness = friction_torque != 0 ? 1e-8 : 0.0;
+        s.thread.friction_torque = friction_torque;
         vbss_thread *thread;
         uint32_t body = 77, other = 77;
         s.thread.segment_count = 5;
@@ -42,6 +43,19 @@ static void body_without_memory_is_not_added(void **state)
         small_steps(&s, 3, 1e-3);
         small_end(&s);
     }
+}
+
+static void body_without_memory_is_not_added(void **state)
+{
+    (void)state;
+    expect_no_body_without_memory(0, 12);
+}
+
+/* The first thread with friction torque makes the scene's system larger. */
+static void thread_with_friction_torque_needs_memory_of_its_scene(void **state)
+{
+    (void)state;
+    expect_no_body_without_memory(1, 70);
 }
 
 /* ---- what there is room for */
@@ -200,6 +214,7 @@ int test_scene_memory(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(body_without_memory_is_not_added),
+        cmocka_unit_test(thread_with_friction_torque_needs_memory_of_its_scene),
         cmocka_unit_test(step_without_capacity_changes_nothing),
         cmocka_unit_test(step_failing_midway_changes_nothing),
         cmocka_unit_test(scene_churn_does_not_grow_memory),

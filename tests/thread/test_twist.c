@@ -18,10 +18,14 @@ typedef struct held {
     uint32_t low, high;
 } held;
 
+/* Without contacts friction torque changes nothing, so most tests run with it, too. */
+static uint32_t friction_torque = 0;
+
 static vbss_thread_config twist_config(void)
 {
     vbss_thread_config c = rig_config(length, SEGMENTS);
     c.torsional_stiffness = torsion;
+    c.friction_torque = friction_torque;
     c.gravity[1] = 0.0;
     return c;
 }
@@ -286,9 +290,10 @@ static void twist_refuses_what_it_does_not_work_with(void **state)
     (void)state;
     fixture f;
     begin(&f);
-    for (int k = 0; k < 6; k++) {
+    for (int k = 0; k < 7; k++) {
         vbss_thread_config c = f.config;
-        c.torsional_stiffness = k == 5 ? 0.0 : torsion;
+        c.torsional_stiffness = k >= 5 ? 0.0 : torsion;
+        c.friction_torque = k == 6;
         c.method = k == 0 ? VBSS_METHOD_VBLAST : VBSS_METHOD_IMPLICIT;
         c.mesh = k == 1 ? VBSS_THREAD_MESH_ADAPTIVE : VBSS_THREAD_MESH_FIXED;
         c.rest_curvature = k == 2 ? 20.0 : 0.0;
@@ -300,8 +305,15 @@ static void twist_refuses_what_it_does_not_work_with(void **state)
         assert_null(thread);
         const char *text = NULL;
         expect_ok(vbss_context_get_last_error(f.context, NULL, &text));
-        assert_non_null(strstr(text, k == 5 ? "rest_twist" : "torsional_stiffness"));
+        assert_non_null(strstr(text, k == 5   ? "rest_twist"
+                                     : k == 6 ? "friction_torque"
+                                              : "torsional_stiffness"));
     }
+    vbss_thread_config c = f.config;
+    vbss_thread *thread = NULL;
+    c.torsional_stiffness = torsion;
+    c.friction_torque = 2;
+    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_thread_create(f.context, &c, &thread));
     end(&f);
 }
 
@@ -331,9 +343,16 @@ static void roll_needs_clamp_of_thread_with_twist(void **state)
     }
 }
 
+static int ask_for_friction_torque(void **state)
+{
+    (void)state;
+    friction_torque = 1;
+    return 0;
+}
+
 int test_twist(void)
 {
-    const struct CMUnitTest tests[] = {
+    const struct CMUnitTest models[] = {
         cmocka_unit_test(torque_is_stiffness_times_twist),
         cmocka_unit_test(torque_is_zero_at_rest_twist),
         cmocka_unit_test(thread_that_turns_as_one_keeps_its_twist),
@@ -344,8 +363,13 @@ int test_twist(void)
         cmocka_unit_test(directors_turn_by_the_twist),
         cmocka_unit_test(restored_thread_continues_with_same_bits),
         cmocka_unit_test(set_state_keeps_twist),
+    };
+    const struct CMUnitTest refusals[] = {
         cmocka_unit_test(twist_refuses_what_it_does_not_work_with),
         cmocka_unit_test(roll_needs_clamp_of_thread_with_twist),
     };
-    return cmocka_run_group_tests_name("thread.twist", tests, NULL, NULL);
+    const int failed = cmocka_run_group_tests_name("thread.twist", models, NULL, NULL) +
+                       cmocka_run_group_tests_name("thread.twist: refusals", refusals, NULL, NULL);
+    return failed + cmocka_run_group_tests_name("thread.twist: friction torque", models,
+                                                ask_for_friction_torque, NULL);
 }

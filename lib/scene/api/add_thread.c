@@ -5,6 +5,7 @@
 #include "scene/api/api.h"
 #include "scene/api/overlap.h"
 #include "scene/api/place.h"
+#include "scene/solve/solve.h"
 #include "scene/topology/topology.h"
 #include "scene/world/world.h"
 
@@ -53,6 +54,7 @@ static vbss_result add_thread(scene_object *s, vbss_thread *thread, uint32_t *bo
     scene_body *b;
     VBSS_TRY(vbss_scene_find_free_body(s, SCENE_BODY_THREAD, &b));
     thread_object *t = slot->object;
+    VBSS_TRY(vbss_scene_reserve_rolls(s, t));
     VBSS_TRY(vbss_scene_create_thread_shape(s, t, &shape));
     VBSS_TRY(vbss_scene_create_piece_shapes(s, t, shape));
     vbss_scene_place_thread(s, slot, b, shape, body);

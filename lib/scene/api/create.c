@@ -166,6 +166,7 @@ static void free_object(vbss_context *context, void *object)
         vbss_collision_free(context, s->collision);
     }
     s->method->destroy_state(s);
+    vbss_release(context, s->step.springs, s->step.spring_capacity, sizeof *s->step.springs);
     vbss_release_arrays(context, arrays, list_arrays(s, arrays));
     vbss_release(context, s, 1, sizeof *s);
 }

@@ -11,6 +11,7 @@
 #include "scene/api/place.h"
 #include "scene/snapshot/describe.h"
 #include "scene/snapshot/snapshot.h"
+#include "scene/solve/solve.h"
 #include "scene/topology/topology.h"
 #include "scene/world/world.h"
 
@@ -136,6 +137,7 @@ static vbss_result place_thread(scene_loader *l, const scene_body_description *d
         return refuse(l, "a thread of another method");
     }
     VBSS_TRY(claim_place(l, d, SCENE_BODY_THREAD, &b));
+    VBSS_TRY(vbss_scene_reserve_rolls(l->s, t));
     VBSS_TRY(vbss_scene_create_thread_shape(l->s, t, &shape));
     vbss_scene_place_thread(l->s, slot, b, shape, &number);
     return VBSS_OK;

@@ -236,6 +236,16 @@ bool vbss_scene_add_drain_plane_contacts(scene_object *s, const scene_body *b,
 /* Removes all but one of the contacts about the same two points. The contact set must be sorted. */
 void vbss_scene_remove_duplicate_contacts(scene_object *s);
 
+/* ---- contact_rolls.c: threads with friction torque */
+
+/* Chooses the segments that the contacts of the substep may roll. Others do not roll by themselves. */
+void vbss_scene_choose_rolls(scene_object *s);
+
+/* Adds the rolls of one side of a contact to its Jacobian and to its displacement. Does nothing if that
+ * side is no such thread; `b` is NULL for the floor. */
+void vbss_scene_add_roll_jacobian(const scene_object *s, contact_constraint *constraint,
+                                  const scene_body *b, bool is_b);
+
 /* ---- sliding_contacts.c */
 
 /* Moves each contact of two threads to where the threads are expected to cross at the end of the substep. For substeps

@@ -438,6 +438,10 @@ static void update_geometry(const scene_object *s, contact_constraint *constrain
         constraint->gap = vec3_dot(n, vec3_sub(centre_a, centre_b)) - contact_distance_of(d, e) -
                           geometry->lip_thickness + geometry->overlap_allowance;
     }
+    if (s->step.spring_capacity > 0) { /* some thread has friction torque */
+        vbss_scene_add_roll_jacobian(s, constraint, d->body, false);
+        vbss_scene_add_roll_jacobian(s, constraint, e != NULL ? e->body : NULL, true);
+    }
     geometry->point = vec3_add_scaled(vec3_add(centre_a, out), -0.5 * constraint->gap, n);
 }
 

@@ -54,6 +54,9 @@ static void assemble(scene_object *s, const scene_substep *substep, assembly_sco
             }
             VBSS_WIDE_CALL(system->wide, vbss_thread_assemble, b->thread.thread, &b->thread.substep,
                            system, b->thread.first_block);
+            if (thread_has_friction_torque(b->thread.thread)) {
+                vbss_scene_assemble_rolls(s, &b->thread);
+            }
         } else if (scene_active_kind(b) == SCENE_BODY_RIGID &&
                    b->rigid.kind != VBSS_SCENE_RIGID_DRIVEN) {
             vbss_rigid_assemble(&b->rigid.body, &p, &b->rigid.predicted, &b->rigid.trial, system,
@@ -120,6 +123,8 @@ static scene_substep_outcome solve_active_set(scene_object *s)
         .system = s->system,
         .welds = s->step.welds,
         .weld_count = s->step.weld_count,
+        .springs = s->step.springs,
+        .spring_count = s->step.spring_count,
         .max_solves = s->solver.active_set_limit,
         .relative_force_tolerance = SCENE_FORCE_TOLERANCE_RATIO,
         .absolute_force_tolerance = SCENE_FORCE_TOLERANCE,
@@ -208,6 +213,9 @@ static void advance_trial(scene_object *s)
         if (scene_active_kind(b) == SCENE_BODY_THREAD) {
             b->thread.residual_displacement = vbss_thread_apply_increment(
                 b->thread.thread, &b->thread.substep, s->system->solution + b->thread.first_block);
+            if (thread_has_friction_torque(b->thread.thread)) {
+                vbss_scene_advance_rolls(s, &b->thread);
+            }
         } else if (scene_active_kind(b) == SCENE_BODY_RIGID) {
             advance_rigid(s, &b->rigid);
         } else if (scene_active_kind(b) == SCENE_BODY_DRAIN) {

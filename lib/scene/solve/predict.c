@@ -1,4 +1,5 @@
 /* Prediction: trial state and integration scheme that a substep starts from. */
+#include "scene/contacts/contacts.h"
 #include "scene/solve/solve.h"
 #include "scene/tuning.h"
 #include "scene/world/world.h"
@@ -83,6 +84,7 @@ static void hold_body(scene_object *s, scene_body *b)
 
 void vbss_scene_predict(scene_object *s, const scene_substep *substep)
 {
+    vbss_scene_choose_rolls(s);
     for (uint32_t i = 0; i < s->body_count; i++) {
         scene_body *b = &s->bodies[i];
         if (b->is_frozen || scene_is_static_mesh(b) || scene_is_plane(b)) {

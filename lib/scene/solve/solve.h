@@ -16,6 +16,36 @@ vbss_result vbss_scene_create_system(scene_object *s, const drain_object *added,
 /* Blocks that a host surface needs for the vertices that are touched at a time. */
 uint32_t vbss_scene_surface_blocks(const scene_host_surface *h);
 
+/* Makes room for the rolls of a thread with friction torque that is added; of one without does nothing.
+ * VBSS_ERROR_OUT_OF_MEMORY: nothing changes. */
+vbss_result vbss_scene_reserve_rolls(scene_object *s, const thread_object *t);
+
+/* ---- rolls.c: rolls of threads with friction torque
+ *
+ * Three segments share a block behind those of the nodes. Its unknowns are displacements of the thread's
+ * surface, radius times roll, m. */
+
+/* Number of blocks for the rolls of a thread. */
+uint32_t vbss_scene_count_roll_blocks(const thread_object *t);
+
+/* Registers these blocks; those without a roll are prescribed. */
+vbss_result vbss_scene_register_rolls(scene_object *s, const scene_thread *b);
+
+/* Finds the spans whose twist the springs contain with their nodes: a function of what determines the pattern
+ * of the bodies. */
+void vbss_scene_mark_exact_spans(scene_object *s);
+
+/* Lists the springs of all threads and couples their blocks; finds the indices of the springs' blocks after
+ * the analysis. VBSS_ERROR_CAPACITY. */
+vbss_result vbss_scene_register_roll_springs(scene_object *s);
+void vbss_scene_find_roll_spring_indices(scene_object *s);
+
+/* Assembles torques and springs of a thread, after its twist was updated. */
+void vbss_scene_assemble_rolls(scene_object *s, const scene_thread *b);
+
+/* Adds the increments of the rolls to the trial state of a thread. */
+void vbss_scene_advance_rolls(const scene_object *s, const scene_thread *b);
+
 /* ---- predict.c */
 
 /* Sets integration scheme and trial state of every body for the substep. Threads without

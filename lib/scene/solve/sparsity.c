@@ -1,9 +1,11 @@
 /* Sparsity: chooses separators and builds the system's sparsity pattern. Only the part that has
  * changed is built again. */
 #include "base/error.h"
+#include "scene/contacts/contacts.h"
 #include "scene/solve/solve.h"
 #include "scene/tissue/tissue.h"
 #include "scene/world/world.h"
+#include "thread/twist.h"
 
 #include <string.h>
 
@@ -317,7 +319,11 @@ static uint64_t hash_bodies(const scene_object *s)
         const scene_body *b = &s->bodies[i];
         hash = mix_two(hash, (uint32_t)scene_active_kind(b), b->number);
         if (b->kind == SCENE_BODY_THREAD) {
-            hash = mix_attachments(hash, b->thread.thread);
+            const thread_object *t = b->thread.thread;
+            hash = mix_attachments(hash, t);
+            if (thread_has_friction_torque(t)) {
+                hash = mix_flags(hash, t->has_roll, t->node_count - 1);
+            }
         } else if (b->kind == SCENE_BODY_DRAIN) {
             uint32_t nodes = b->drain.drain->mesh.node_count;
             hash = mix_flags(hash, b->drain.is_separator, nodes);
@@ -348,7 +354,8 @@ static uint32_t *first_block_of(scene_body *b)
 
 static uint32_t count_blocks(const scene_body *b)
 {
-    return b->kind == SCENE_BODY_THREAD ? b->thread.thread->node_count
+    return b->kind == SCENE_BODY_THREAD
+               ? b->thread.thread->node_count + vbss_scene_count_roll_blocks(b->thread.thread)
            : b->kind == SCENE_BODY_RIGID
                ? 2 + (scene_is_compliant(b->rigid.surface) ? b->rigid.surface->touched_count : 0)
            : b->kind == SCENE_BODY_DRAIN ? b->drain.drain->mesh.node_count
@@ -380,6 +387,7 @@ static vbss_result register_bodies(scene_object *s)
             VBSS_TRY(vbss_thread_add_to_system(b->thread.thread, s->system,
                                                s->step.is_separator + b->thread.first_node,
                                                &b->thread.first_block));
+            VBSS_TRY(vbss_scene_register_rolls(s, &b->thread));
         } else if (b->kind == SCENE_BODY_RIGID) {
             vbss_role role = b->rigid.kind == VBSS_SCENE_RIGID_DRIVEN ? VBSS_ROLE_PRESCRIBED
                                                                       : VBSS_ROLE_SEPARATOR;
@@ -423,6 +431,7 @@ static vbss_result begin_pattern(scene_object *s, bool same_bodies)
 vbss_result vbss_scene_build_sparsity_pattern(scene_object *s)
 {
     choose_separators(s);
+    vbss_scene_mark_exact_spans(s);
     uint64_t body_hash = hash_bodies(s), pattern_hash = hash_pattern(s, body_hash);
     if (pattern_hash == s->step.pattern_hash) {
         vbss_contact_assign_schur_offsets(s->contacts);
@@ -436,8 +445,10 @@ vbss_result vbss_scene_build_sparsity_pattern(scene_object *s)
     for (uint32_t i = 0; i < s->step.weld_count; i++) {
         VBSS_TRY(vbss_contact_register_weld(&s->step.welds[i], s->system));
     }
+    VBSS_TRY(vbss_scene_register_roll_springs(s));
     VBSS_TRY(vbss_contact_register(s->contacts, s->system));
     VBSS_TRY(vbss_system_analyse(s->system));
+    vbss_scene_find_roll_spring_indices(s);
     vbss_contact_find_schur_indices(s->contacts, s->system);
     for (uint32_t i = 0; !same_bodies && i < s->body_count; i++) {
         if (scene_active_kind(&s->bodies[i]) == SCENE_BODY_DRAIN) {
@@ -452,6 +463,7 @@ vbss_result vbss_scene_prepare_pattern(scene_object *s)
 {
     const uint32_t constraints = s->contacts->count;
     s->contacts->count = 0;
+    vbss_scene_choose_rolls(s);
     vbss_scene_number_blocks(s);
     const vbss_result result = vbss_scene_build_sparsity_pattern(s);
     s->contacts->count = constraints;

@@ -1,8 +1,10 @@
 /* Capacity of the linear system of a scene, from its configuration and its drains. */
 #include "base/error.h"
+#include "base/memory.h"
 #include "scene/solve/solve.h"
 #include "scene/tuning.h"
 #include "scene/world/world.h"
+#include "thread/twist.h"
 
 static uint32_t smaller(uint64_t a, uint64_t b)
 {
@@ -48,6 +50,9 @@ vbss_result vbss_scene_create_system(scene_object *s, const drain_object *added,
                                      uint32_t added_blocks)
 {
     uint32_t blocks = s->node_capacity + 2 * s->config.rigid_capacity + added_blocks;
+    if (s->step.spring_capacity > 0) { /* rolls of threads with friction torque */
+        blocks += s->node_capacity / SCENE_ROLLS_PER_BLOCK + s->body_capacity;
+    }
     for (uint32_t i = 0; i < s->body_count; i++) {
         blocks += vbss_scene_surface_blocks(scene_host_surface_of(&s->bodies[i]));
     }
@@ -66,4 +71,24 @@ vbss_result vbss_scene_create_system(scene_object *s, const drain_object *added,
     s->system = new_system;
     s->step.pattern_hash = 0;
     return VBSS_OK;
+}
+
+vbss_result vbss_scene_reserve_rolls(scene_object *s, const thread_object *t)
+{
+    if (!thread_has_friction_torque(t) || s->step.spring_capacity > 0) {
+        return VBSS_OK;
+    }
+    const uint32_t capacity = 2 * s->node_capacity; /* a roll ends two spans */
+    s->step.springs = vbss_allocate(s->context, capacity, sizeof *s->step.springs, "scene");
+    if (s->step.springs == NULL) {
+        return VBSS_ERROR_OUT_OF_MEMORY;
+    }
+    s->step.spring_capacity = capacity;
+    const vbss_result result = vbss_scene_create_system(s, NULL, 0);
+    if (result != VBSS_OK) {
+        vbss_release(s->context, s->step.springs, capacity, sizeof *s->step.springs);
+        s->step.springs = NULL;
+        s->step.spring_capacity = 0;
+    }
+    return result;
 }

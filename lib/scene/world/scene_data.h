@@ -55,7 +55,8 @@ typedef struct scene_thread {
     vbss_slot *slot; /* slot of the thread's handle */
     thread_object *thread;
     /* Substep. */
-    uint32_t first_block; /* block of the thread's first node in the linear system */
+    uint32_t first_block;  /* block of the thread's first node in the linear system */
+    uint32_t first_spring; /* friction torque: the first of its springs, if it has rolls */
     /* Persistent. */
     uint32_t first_node;         /* its first node in arrays over the nodes of all threads */
     uint32_t contact_free_steps; /* consecutive steps without contact constraints, 0 to 16 */
@@ -77,6 +78,13 @@ typedef struct scene_thread {
         bool needs_start_substep; /* the accelerations were unknown */
     } checkpoint;
 } scene_thread;
+
+/* Friction torque: rolls of as many segments share a block. The blocks follow those of the nodes. */
+enum { SCENE_ROLLS_PER_BLOCK = 3 };
+static inline uint32_t scene_first_roll_block(const scene_thread *b)
+{
+    return b->first_block + b->thread->node_count;
+}
 
 /* A drain as a body of a scene. */
 typedef struct scene_drain {
@@ -466,6 +474,10 @@ typedef struct scene_step_context {
     uint32_t edge_pair_count; /* candidates of two edges, which come first */
     contact_weld *welds;      /* kept until the sparsity pattern of the bodies changes */
     uint32_t weld_count;
+    /* Twist of threads with friction torque; kept until the sparsity pattern changes. No entries before such
+     * a thread is added. */
+    contact_spring *springs;
+    uint32_t spring_count, spring_capacity;
     /* Hash of the system's sparsity pattern, 0 if there is none, and hash of the part that bodies
      * determine. Both last until the pattern is rebuilt. */
     uint64_t pattern_hash, body_pattern_hash;

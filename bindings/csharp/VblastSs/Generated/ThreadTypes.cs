@@ -144,8 +144,9 @@ namespace VblastSs
         /// <summary>The same for the viscous curvature: that at which the viscous branch has no moment.</summary>
         ViscousCurvatures = 9,
         /// <summary>
-        /// n - 1 doubles, rad/m: twist per length of each segment; 0 unless it is between two
-        /// holders. No entries in a thread without torsional_stiffness.
+        /// n - 1 doubles, rad/m: twist per length of each segment; between a holder and a free end
+        /// 0, with friction_torque rest_twist where no contact resists. No entries in a thread
+        /// without torsional_stiffness.
         /// </summary>
         Twists = 10,
         /// <summary>
@@ -192,7 +193,7 @@ namespace VblastSs
         internal double NearDistance;
         internal double ClearDistance;
         internal uint MeshOperations;
-        internal uint Reserved;
+        internal uint FrictionTorque;
         internal double YieldCurvature;
         internal double YieldHardening;
         internal double RelaxationRatio;
@@ -501,6 +502,17 @@ namespace VblastSs
         {
             get { return box[0].MeshOperations; }
             set { box[0].MeshOperations = value; }
+        }
+
+        /// <summary>
+        /// 1: contacts of a scene resist rolling of the thread about itself by their friction, so
+        /// that a tight knot holds twist on either side of itself; 0 (default): they let it roll.
+        /// Needs torsional_stiffness. docs/explanation/twist.md has the model.
+        /// </summary>
+        public uint FrictionTorque
+        {
+            get { return box[0].FrictionTorque; }
+            set { box[0].FrictionTorque = value; }
         }
 
         /// <summary>

@@ -124,8 +124,9 @@ class ThreadField(IntEnum):
     VISCOUS_CURVATURES = 9
     """The same for the viscous curvature: that at which the viscous branch has no moment."""
     TWISTS = 10
-    """n - 1 doubles, rad/m: twist per length of each segment; 0 unless it is between two holders.
-    No entries in a thread without torsional_stiffness."""
+    """n - 1 doubles, rad/m: twist per length of each segment; between a holder and a free end 0,
+    with friction_torque rest_twist where no contact resists. No entries in a thread without
+    torsional_stiffness."""
     MATERIAL_DIRECTORS = 11
     """n - 1 x 3 doubles: a unit vector across each segment, at its middle, that is fixed to the
     material; for display. No entries in a thread without torsional_stiffness."""
@@ -234,6 +235,10 @@ class vbss_thread_config(ctypes.Structure):
     mesh_operations: ADAPTIVE: largest number of divisions and removals after a step, 0 to 64;
     default 4.
 
+    friction_torque: 1: contacts of a scene resist rolling of the thread about itself by their
+    friction, so that a tight knot holds twist on either side of itself; 0 (default): they let
+    it roll. Needs torsional_stiffness. docs/explanation/twist.md has the model.
+
     yield_curvature: Method IMPLICIT: elastic curvature beyond which bending is plastic, 1/m, 0
     to 1e6; default 0: bending is elastic. The bending moment at yield is EI times this
     curvature. docs/explanation/bending-memory.md has the model. Memory of bends, plastic or
@@ -289,7 +294,7 @@ class vbss_thread_config(ctypes.Structure):
     near_distance: float
     clear_distance: float
     mesh_operations: int
-    reserved: int
+    friction_torque: int
     yield_curvature: float
     yield_hardening: float
     relaxation_ratio: float
@@ -332,7 +337,7 @@ class vbss_thread_config(ctypes.Structure):
         ("near_distance", c_double),
         ("clear_distance", c_double),
         ("mesh_operations", c_uint32),
-        ("reserved", c_uint32),
+        ("friction_torque", c_uint32),
         ("yield_curvature", c_double),
         ("yield_hardening", c_double),
         ("relaxation_ratio", c_double),

@@ -123,8 +123,8 @@ pub const VBSS_THREAD_VIEW_SAGITTAS: vbss_thread_field = 7;
 pub const VBSS_THREAD_VIEW_PLASTIC_CURVATURES: vbss_thread_field = 8;
 /// The same for the viscous curvature: that at which the viscous branch has no moment.
 pub const VBSS_THREAD_VIEW_VISCOUS_CURVATURES: vbss_thread_field = 9;
-/// n - 1 doubles, rad/m: twist per length of each segment; 0 unless it is between two holders. No
-/// entries in a thread without torsional_stiffness.
+/// n - 1 doubles, rad/m: twist per length of each segment; between a holder and a free end 0, with
+/// friction_torque rest_twist where no contact resists. No entries in a thread without torsional_stiffness.
 pub const VBSS_THREAD_VIEW_TWISTS: vbss_thread_field = 10;
 /// n - 1 x 3 doubles: a unit vector across each segment, at its middle, that is fixed to the material;
 /// for display. No entries in a thread without torsional_stiffness.
@@ -233,8 +233,10 @@ pub struct vbss_thread_config {
     pub clear_distance: f64,
     /// ADAPTIVE: largest number of divisions and removals after a step, 0 to 64; default 4.
     pub mesh_operations: u32,
-    /// Zero.
-    pub reserved: u32,
+    /// 1: contacts of a scene resist rolling of the thread about itself by their friction, so that a tight
+    /// knot holds twist on either side of itself; 0 (default): they let it roll. Needs
+    /// torsional_stiffness. docs/explanation/twist.md has the model.
+    pub friction_torque: u32,
     /// Method IMPLICIT: elastic curvature beyond which bending is plastic, 1/m, 0 to 1e6; default 0:
     /// bending is elastic. The bending moment at yield is EI times this curvature.
     /// docs/explanation/bending-memory.md has the model. Memory of bends, plastic or viscous, needs

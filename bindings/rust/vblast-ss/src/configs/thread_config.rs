@@ -223,6 +223,14 @@ impl ThreadConfig<'_> {
         self
     }
 
+    /// 1: contacts of a scene resist rolling of the thread about itself by their friction, so that a tight
+    /// knot holds twist on either side of itself; 0 (default): they let it roll. Needs
+    /// torsional_stiffness. docs/explanation/twist.md has the model.
+    pub fn friction_torque(mut self, value: u32) -> Self {
+        self.raw.friction_torque = value;
+        self
+    }
+
     /// Method IMPLICIT: elastic curvature beyond which bending is plastic, 1/m, 0 to 1e6; default 0:
     /// bending is elastic. The bending moment at yield is EI times this curvature.
     /// docs/explanation/bending-memory.md has the model. Memory of bends, plastic or viscous, needs
