@@ -3,6 +3,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "exercise/practice.h"
+
 #define STEP 1e-3
 
 enum { NOTE = 64 };
@@ -110,6 +112,19 @@ vbss_result live_create(live *l, const live_scene *scene, unsigned long seed, ar
     TRY(begin_hand(l, LEFT));
     TRY(begin_hand(l, RIGHT));
     return begin_task(l);
+}
+
+vbss_result live_create_exercise(live *l, vbss_session_exercise exercise,
+                                 const start_states *states, arms *a, const char *log)
+{
+    char note[PRACTICE_NOTE];
+    begin(l, live_find("stitch"), a);
+    practice_note(exercise, note);
+    TRY(stage_create(&l->stage, note, strlen(note)));
+    TRY(practice_begin(&l->stage.task, l->stage.tasked, exercise, states));
+    TRY(practice_record(&l->stage.task, l->stage.rig, exercise, log));
+    TRY(begin_hand(l, LEFT));
+    return begin_hand(l, RIGHT);
 }
 
 /* ---- a step */

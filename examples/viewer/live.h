@@ -3,6 +3,7 @@
 #define VBSS_EXAMPLES_VIEWER_LIVE_H
 
 #include "arms.h"
+#include "exercise/places.h"
 #include "mouse_hand.h"
 #include "report/stage.h"
 #include "trainer/grip.h"
@@ -34,6 +35,9 @@ const live_scene *live_at(size_t number);
 /* Arms, which are open, and log may be NULL. */
 vbss_result live_create(live *l, const live_scene *scene, unsigned long seed, arms *a,
                         const char *log);
+/* An exercise in the scene "stitch". Where it starts is in the states. */
+vbss_result live_create_exercise(live *l, vbss_session_exercise exercise,
+                                 const start_states *states, arms *a, const char *log);
 /* With a stitch that is there already, its log begun. */
 vbss_result live_take_over(live *l, const live_scene *scene, arms *a, stitch *t, const task *k);
 /* A device leads that hand. */

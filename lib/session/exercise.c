@@ -4,7 +4,6 @@
 #include "session/session.h"
 #include "session/tuning.h"
 
-#define NOT_REACHED (-1.0)
 #define MILLIMETRE 1e-3
 
 _Static_assert(sizeof(vbss_session_exercise_state) == 32 + 2 * sizeof(void *), "published size");
@@ -301,7 +300,7 @@ static bool is_goal_reached(session_object *s, const session_observation *observ
     double dwell =
         s->config.exercise == VBSS_SESSION_EXERCISE_TAKE_NEEDLE ? SESSION_HELD_TIME : 0.0;
     if (!is_goal_observed(s, observed)) {
-        x->reached_since = NOT_REACHED;
+        x->reached_since = -1.0;
         return false;
     }
     x->reached_since = x->reached_since < 0.0 ? s->time : x->reached_since;
@@ -312,7 +311,7 @@ static bool is_goal_reached(session_object *s, const session_observation *observ
 
 void vbss_session_reset_exercise(session_object *s)
 {
-    s->exercise = (session_exercise){.reached_since = NOT_REACHED};
+    s->exercise = (session_exercise){.reached_since = -1.0};
 }
 
 static void end_exercise(session_object *s, bool is_passed)

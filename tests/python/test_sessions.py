@@ -149,7 +149,7 @@ def test_a_coach_gives_goals_and_names_mistakes(context):
         Rig(context).session().coaching
 
 
-def test_an_exercise_has_measures_and_a_verdict(context):
+def test_an_exercise_has_measures_and_an_outcome(context):
     session = Rig(context).session(exercise=vb.SessionExercise.TAKE_NEEDLE, coaching=1)
     for _ in range(3):
         session.step()

@@ -198,7 +198,7 @@ static void make_step(const rig *r, int step)
 
 static uint64_t hashes[HELD];
 
-static void a_verdict_is_replayed(void **state)
+static void an_outcome_is_replayed(void **state)
 {
     (void)state;
     static rig r;
@@ -296,7 +296,7 @@ int test_exercise_start(void)
         cmocka_unit_test(the_whole_task_can_begin_there_too),
         cmocka_unit_test(a_wrong_start_changes_nothing),
         cmocka_unit_test(saved_exercises_go_on_where_they_were),
-        cmocka_unit_test(a_verdict_is_replayed),
+        cmocka_unit_test(an_outcome_is_replayed),
         cmocka_unit_test(a_log_has_the_start_of_its_exercise),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -191,7 +191,7 @@ static void the_time_of_an_exercise_is_limited(void **state)
 /* ---- the mark */
 
 /* The needle's tip, its local y, points into the wall at the right mark, but for a tilt. */
-static void aim_needle(rig *r, double tilt)
+static void turn_needle(rig *r, double tilt)
 {
     session_observation real;
     vbss_session_observe(r->s, &real);
@@ -213,7 +213,7 @@ static void pass_mark(rig *r, double axial, double tilt)
     rig_take(r, RIG_RIGHT);
     rig_run(r, 0.2);
     assert_int_equal(rig_coaching(r).goal, VBSS_SESSION_GOAL_REACH_MARK);
-    aim_needle(r, tilt);
+    turn_needle(r, tilt);
     rig_pierce(r, RIG_ENTRY, 1, axial);
     rig_run(r, 0.1);
     expect_near(fabs(tilt), measure_of(r, VBSS_SESSION_MEASURE_ENTRY_ANGLE).value, 1e-7);
@@ -408,7 +408,7 @@ static void a_failed_task_fails_its_exercise(void **state)
 
 /* ---- after the outcome, and without an exercise */
 
-static void the_verdict_ends_the_task(void **state)
+static void the_outcome_ends_the_task(void **state)
 {
     (void)state;
     static rig r;
@@ -466,7 +466,7 @@ int test_exercises(void)
         cmocka_unit_test(the_coach_asks_for_the_wraps_of_the_exercise),
         cmocka_unit_test(both_tails_must_have_their_length),
         cmocka_unit_test(a_failed_task_fails_its_exercise),
-        cmocka_unit_test(the_verdict_ends_the_task),
+        cmocka_unit_test(the_outcome_ends_the_task),
         cmocka_unit_test(a_session_without_an_exercise_has_no_measures),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
