@@ -152,6 +152,16 @@ vbss_result live_toggle_aid(live *l, uint32_t aid)
     return vbss_session_set_assistance(l->stage.rig->session, &a);
 }
 
+vbss_result live_exchange(live *l, int side)
+{
+    vbss_grasper *grasper = l->stage.graspers[side];
+    vbss_grasper_state tool;
+    TRY(vbss_grasper_get_state(grasper, &tool, sizeof tool));
+    return vbss_grasper_exchange(grasper, tool.kind == VBSS_GRASPER_KIND_SHEARS
+                                              ? VBSS_GRASPER_KIND_NEEDLE_DRIVER
+                                              : VBSS_GRASPER_KIND_SHEARS);
+}
+
 static vbss_result give_hand(const live *l, int side, const double at[3], const double turned[4],
                              double opening, bool is_origin)
 {

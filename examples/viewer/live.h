@@ -44,6 +44,8 @@ vbss_result live_take_over(live *l, const live_scene *scene, arms *a, stitch *t,
 bool live_by_device(const live *l, int side);
 /* Switches an aid of the session on, or off; nothing in a scene without one. */
 vbss_result live_toggle_aid(live *l, uint32_t aid);
+/* The other kind of tool for that hand: needle driver or shears. Its jaws have to be empty. */
+vbss_result live_exchange(live *l, int side);
 /* Hands, scene, knots of the session; a limb that stood by itself is let go when a hand has it. */
 vbss_result live_step(live *l);
 /* Ends the log. */

@@ -1,0 +1,93 @@
+#include "trainee/trainee.h"
+
+#include <math.h>
+#include <stdio.h>
+
+#define ABOVE 12e-3 /* m, over what is taken */
+
+static void say(const trainee *t, const char *what)
+{
+    if (t->verbose) {
+        const sight *s = trainee_see(t);
+        printf("  %6.2f s %s: %s [%.1f mm, %.2f rad]\n", t->live.time, what, s->coach.sentence,
+               1e3 * s->coach.distance, s->coach.angle);
+    }
+}
+
+/* The coach gives the place; how the jaws have to be rolled he does not say, so they are tried. */
+void lesson_take_needle(trainee *t)
+{
+    static const double rolls[] = {0.0, 0.8, 0.8, 0.8};
+    (void)trainee_settle(t);
+    for (int i = 0; i < 8; i++) {
+        const sight *s = trainee_see(t);
+        vec at = v_load(s->coach.point);
+        say(t, "over it");
+        if (s->coach.goal != VBSS_SESSION_GOAL_TAKE_NEEDLE || !trainee_jaws(t, RIGHT, false) ||
+            !trainee_roll(t, RIGHT, rolls[i % 4]) ||
+            !trainee_go(t, RIGHT, v_add(at, v3(0.0, 0.0, ABOVE)), 1e-3) ||
+            !trainee_go(t, RIGHT, at, 0.5e-3) || !trainee_jaws(t, RIGHT, true)) {
+            break;
+        }
+        say(t, "closed");
+        if (trainee_see(t)->has_needle[RIGHT]) {
+            break;
+        }
+        if (!trainee_jaws(t, RIGHT, false) || !trainee_move(t, RIGHT, v3(0.0, 0.0, ABOVE))) {
+            break;
+        }
+    }
+    (void)(trainee_move(t, RIGHT, v3(0.0, 0.0, 20e-3)) && trainee_wait(t, 100));
+}
+
+/* The tip to the mark; then the aid keeps the needle on its arc. */
+void lesson_pass_mark(trainee *t)
+{
+    (void)trainee_settle(t);
+    for (int i = 0; i < 12; i++) {
+        const sight *s = trainee_see(t);
+        vec to =
+            v_sub(v_along(v_load(s->coach.point), -0.8e-3, v_load(s->coach.direction)), s->needle);
+        say(t, "to the mark");
+        if (v_length(to) < 0.35e-3 || s->coach.goal == VBSS_SESSION_GOAL_NONE) {
+            break;
+        }
+        if (!trainee_move(t, RIGHT, to)) {
+            return;
+        }
+    }
+    if (!trainee_aid(t, VBSS_SESSION_AID_ARC)) {
+        return;
+    }
+    for (int i = 0; i < 20 && trainee_move(t, RIGHT, v3(-2e-3, 0.0, 0.0)); i++) {
+        say(t, "drive");
+    }
+}
+
+/* The hand that the coach names opens, goes aside, takes shears, and cuts where it is told. */
+void lesson_cut(trainee *t)
+{
+    (void)trainee_settle(t);
+    for (int i = 0; i < 30; i++) {
+        const sight *s = trainee_see(t);
+        int side = s->coach.tool == VBSS_METRICS_TOOL_LEFT ? LEFT : RIGHT;
+        vec at = v_load(s->coach.point);
+        bool good = true;
+        say(t, "cut");
+        if (s->coach.goal == VBSS_SESSION_GOAL_TAKE_SHEARS) {
+            good = trainee_jaws(t, side, false) &&
+                   trainee_go(t, side, v3(side == LEFT ? -0.06 : 0.06, -0.01, 0.06), 5e-3) &&
+                   trainee_jaws(t, side, true) && trainee_exchange(t, side);
+        } else if (s->coach.goal == VBSS_SESSION_GOAL_CUT) {
+            good = trainee_jaws(t, side, false) &&
+                   trainee_go(t, side, v_add(at, v3(0.0, 0.0, ABOVE)), 1e-3) &&
+                   trainee_go(t, side, v_load(trainee_see(t)->coach.point), 0.4e-3) &&
+                   trainee_jaws(t, side, true);
+        } else {
+            good = trainee_wait(t, 20);
+        }
+        if (!good) {
+            return;
+        }
+    }
+}
