@@ -3,7 +3,8 @@
 #include <math.h>
 #include <stdio.h>
 
-#define ABOVE 12e-3 /* m, over what is taken */
+#define ABOVE 12e-3    /* m, over what is taken */
+#define IN_BLADES 3e-3 /* m, from their tip to what they cut */
 
 static void say(const trainee *t, const char *what)
 {
@@ -20,7 +21,7 @@ void lesson_take_needle(trainee *t)
     static const double rolls[] = {0.0, 0.8, 0.8, 0.8};
     (void)trainee_settle(t);
     for (int i = 0; i < 8; i++) {
-        const sight *s = trainee_see(t);
+        const sight now = *trainee_see(t), *s = &now;
         vec at = v_load(s->coach.point);
         say(t, "over it");
         if (s->coach.goal != VBSS_SESSION_GOAL_TAKE_NEEDLE || !trainee_jaws(t, RIGHT, false) ||
@@ -40,23 +41,45 @@ void lesson_take_needle(trainee *t)
     (void)(trainee_move(t, RIGHT, v3(0.0, 0.0, 20e-3)) && trainee_wait(t, 100));
 }
 
-/* The tip to the mark; then the aid keeps the needle on its arc. */
-void lesson_pass_mark(trainee *t)
+/* The tip before the mark. False: the exercise has ended. */
+static bool bring_tip(trainee *t)
 {
-    (void)trainee_settle(t);
     for (int i = 0; i < 12; i++) {
-        const sight *s = trainee_see(t);
+        const sight now = *trainee_see(t), *s = &now;
         vec to =
             v_sub(v_along(v_load(s->coach.point), -0.8e-3, v_load(s->coach.direction)), s->needle);
         say(t, "to the mark");
-        if (v_length(to) < 0.35e-3 || s->coach.goal == VBSS_SESSION_GOAL_NONE) {
-            break;
+        if (v_length(to) < 0.35e-3) {
+            return true;
         }
         if (!trainee_move(t, RIGHT, to)) {
-            return;
+            return false;
         }
     }
-    if (!trainee_aid(t, VBSS_SESSION_AID_ARC)) {
+    return true;
+}
+
+/* Straight through the wall, as the coach says, and back to the mark when the tip slides along the wall; then the aid keeps the
+ * needle on its arc. */
+void lesson_pass_mark(trainee *t)
+{
+    (void)trainee_settle(t);
+    bool is_at = bring_tip(t);
+    for (int i = 0; i < 15 && is_at; i++) {
+        const sight now = *trainee_see(t), *s = &now;
+        vec in = v_load(s->coach.direction);
+        vec aside = v_sub(v_load(s->coach.point), s->needle);
+        aside = v_along(aside, -v_dot(aside, in), in);
+        say(t, "push");
+        if (s->coach.goal != VBSS_SESSION_GOAL_PIERCE &&
+            s->coach.goal != VBSS_SESSION_GOAL_REACH_MARK) {
+            break;
+        }
+        is_at = v_length(aside) > 0.9e-3
+                    ? trainee_move(t, RIGHT, v_scale(-3e-3, in)) && bring_tip(t)
+                    : trainee_move(t, RIGHT, v_along(aside, 1.2e-3, in));
+    }
+    if (!is_at || !trainee_aid(t, VBSS_SESSION_AID_ARC)) {
         return;
     }
     for (int i = 0; i < 20 && trainee_move(t, RIGHT, v3(-2e-3, 0.0, 0.0)); i++) {
@@ -69,7 +92,7 @@ void lesson_cut(trainee *t)
 {
     (void)trainee_settle(t);
     for (int i = 0; i < 30; i++) {
-        const sight *s = trainee_see(t);
+        const sight now = *trainee_see(t), *s = &now;
         int side = s->coach.tool == VBSS_METRICS_TOOL_LEFT ? LEFT : RIGHT;
         vec at = v_load(s->coach.point);
         bool good = true;
@@ -79,10 +102,15 @@ void lesson_cut(trainee *t)
                    trainee_go(t, side, v3(side == LEFT ? -0.06 : 0.06, -0.01, 0.06), 5e-3) &&
                    trainee_jaws(t, side, true) && trainee_exchange(t, side);
         } else if (s->coach.goal == VBSS_SESSION_GOAL_CUT) {
-            good = trainee_jaws(t, side, false) &&
-                   trainee_go(t, side, v_add(at, v3(0.0, 0.0, ABOVE)), 1e-3) &&
-                   trainee_go(t, side, v_load(trainee_see(t)->coach.point), 0.4e-3) &&
-                   trainee_jaws(t, side, true);
+            vec along = s->jaws[side];
+            good =
+                trainee_jaws(t, side, false) &&
+                trainee_go(t, side, v_along(at, -2.0 * ABOVE, along), 2e-3) &&
+                trainee_roll_across(t, side, v_load(s->coach.direction)) &&
+                trainee_go(t, side, v_along(at, -ABOVE, along), 1e-3) &&
+                trainee_go(t, side, v_along(v_load(trainee_see(t)->coach.point), IN_BLADES, along),
+                           0.6e-3) &&
+                trainee_jaws(t, side, true);
         } else {
             good = trainee_wait(t, 20);
         }

@@ -45,6 +45,8 @@ static void look(trainee *t)
         vbss_grasper_state tool;
         (void)vbss_grasper_get_state(t->live.stage.graspers[side], &tool, sizeof tool);
         s->tip[side] = v_add(v_load(tool.position), error_of(t, SEES));
+        s->jaws[side] = v_scale(-1.0, hand_rotate(tool.orientation, v3(0.0, 0.0, 1.0)));
+        s->opens[side] = hand_rotate(tool.orientation, v3(1.0, 0.0, 0.0));
         s->has_needle[side] = tool.needle != 0;
         s->holds[side] = tool.needle != 0 || tool.grasp_count > 0 || tool.drain != 0;
         s->shears[side] = tool.kind == VBSS_GRASPER_KIND_SHEARS;
@@ -150,6 +152,29 @@ bool trainee_roll(trainee *t, int side, double angle)
         }
     }
     return trainee_settle(t);
+}
+
+/* Angle between the direction and the plane across the opening, about the jaws' axis. */
+static double off_across(const trainee *t, int side, vec direction)
+{
+    const sight *s = trainee_see(t);
+    vec wide = v_cross(s->jaws[side], s->opens[side]);
+    double along = v_dot(direction, s->opens[side]), across = v_dot(direction, wide);
+    return across < 0.0 ? atan2(-along, -across) : atan2(along, across);
+}
+
+bool trainee_roll_across(trainee *t, int side, vec direction)
+{
+    double sign = 1.0, before = off_across(t, side, direction);
+    for (int i = 0; i < 4 && fabs(before) > 0.15; i++) {
+        if (!trainee_roll(t, side, sign * before)) {
+            return false;
+        }
+        double now = off_across(t, side, direction);
+        sign = fabs(now) > fabs(before) ? -sign : sign;
+        before = now;
+    }
+    return true;
 }
 
 bool trainee_jaws(trainee *t, int side, bool closes)

@@ -14,6 +14,8 @@ enum {
 /* What is seen in a frame. */
 typedef struct sight {
     vec tip[SIDES], needle; /* m */
+    vec jaws[SIDES];        /* unit: where they point */
+    vec opens[SIDES];       /* unit: along which they open */
     bool holds[SIDES];      /* the needle, or the thread, as the caption says */
     bool has_needle[SIDES];
     bool shears[SIDES];
@@ -43,6 +45,8 @@ bool trainee_move(trainee *t, int side, vec by);
 /* Movements until the tip is seen within `near` of the place, 12 at most. */
 bool trainee_go(trainee *t, int side, vec to, double near);
 bool trainee_roll(trainee *t, int side, double angle);
+/* Until the jaws open square to what lies in that direction. */
+bool trainee_roll_across(trainee *t, int side, vec direction);
 bool trainee_jaws(trainee *t, int side, bool closes);
 bool trainee_aid(trainee *t, uint32_t aid);
 bool trainee_exchange(trainee *t, int side);
