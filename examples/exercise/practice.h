@@ -1,5 +1,5 @@
 /* An exercise of the task: the scene of the scripted surgeon, a session that trains one skill, and the place of the task at
- * which it starts. The same for trainer, viewer and page. */
+ * which it starts. Trainer, viewer and page share it. */
 #ifndef VBSS_EXAMPLES_EXERCISE_PRACTICE_H
 #define VBSS_EXAMPLES_EXERCISE_PRACTICE_H
 

@@ -28,7 +28,7 @@ static vbss_session_exercise find(const char *name)
     return e;
 }
 
-/* NULL: the line is good; else what is wrong with it. */
+/* NULL: the line is good; else the fault. */
 static const char *read_line(progress *p, const char *text)
 {
     char name[32];

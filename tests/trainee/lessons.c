@@ -3,8 +3,8 @@
 #include <math.h>
 #include <stdio.h>
 
-#define ABOVE 12e-3    /* m, over what is taken */
-#define IN_BLADES 3e-3 /* m, from their tip to what they cut */
+#define ABOVE 12e-3    /* m, above the thing to take */
+#define IN_BLADES 3e-3 /* m, from their tip to the thread */
 
 static void say(const trainee *t, const char *what)
 {
@@ -87,7 +87,7 @@ void lesson_pass_mark(trainee *t)
     }
 }
 
-/* The hand that the coach names opens, goes aside, takes shears, and cuts where it is told. */
+/* The hand that the coach names opens, goes aside, takes shears, and cuts at the point of the coach. */
 void lesson_cut(trainee *t)
 {
     (void)trainee_settle(t);

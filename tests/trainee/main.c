@@ -1,5 +1,5 @@
-/* A scripted trainee does exercises with a mouse: trainee EXERCISE STARTS [SEEDS [FIRST]] [-v]. Tells of each try what came of
- * it, and ends with 0 if all were passed. */
+/* A scripted trainee does exercises with a mouse: trainee EXERCISE STARTS [SEEDS [FIRST]] [-v]. Prints the
+ * outcome of each try, and ends with 0 if all were passed. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

@@ -5,7 +5,7 @@
 #include <string.h>
 
 #define FRAME 0.016
-#define SEES 0.2e-3    /* m: error of what is seen, standard deviation */
+#define SEES 0.2e-3    /* m: error of the view, standard deviation */
 #define SPEED 0.10     /* m/s, of a movement in the middle */
 #define SHORTEST 0.3   /* s, of a movement */
 #define NOTCH_ROLL 0.1 /* rad */

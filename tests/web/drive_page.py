@@ -316,7 +316,7 @@ def check_exercises(page, folder):
     page.until("suturing.shown.state.exercise && suturing.shown.state.exercise.name === 'square_throw' && suturing.shown.state.steps > 20")
     state = page.state()
     assert state["task"]["throws"] == 1 and state["task"]["seated"] == 1 and state["task"]["transfers"] == 1, state["task"]
-    assert state["aids"] == 0 and state["tools"][hands.LEFT]["holds"] == "the needle", state
+    assert state["aids"] == 0 and state["tools"][1 - hands.RIGHT]["holds"] == "the needle", state
     page.run("document.getElementById('aids-button').focus()")
     page.press_key("Enter", "\r")
     assert not page.run("document.getElementById('aids').hidden") and page.run("document.getElementById('aids-button').ariaExpanded") == "true"
