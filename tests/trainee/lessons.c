@@ -59,12 +59,28 @@ static bool bring_tip(trainee *t)
     return true;
 }
 
+/* The jaws lie square to the needle, so their roll turns it in its plane. Which sense is right shows in the angle of the coach. */
+static bool turn_square(trainee *t)
+{
+    double sign = 1.0, before = trainee_see(t)->coach.angle;
+    for (int i = 0; i < 4 && before > 0.12; i++) {
+        if (!trainee_roll(t, RIGHT, sign * before)) {
+            return false;
+        }
+        double now = trainee_see(t)->coach.angle;
+        sign = now > before ? -sign : sign;
+        before = now;
+    }
+    say(t, "turned");
+    return true;
+}
+
 /* Straight through the wall, as the coach says, and back to the mark when the tip slides along the wall; then the aid keeps the
  * needle on its arc. */
 void lesson_pass_mark(trainee *t)
 {
     (void)trainee_settle(t);
-    bool is_at = bring_tip(t);
+    bool is_at = turn_square(t) && bring_tip(t);
     for (int i = 0; i < 15 && is_at; i++) {
         const sight now = *trainee_see(t), *s = &now;
         vec in = v_load(s->coach.direction);
