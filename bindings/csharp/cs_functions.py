@@ -18,7 +18,7 @@ BY_HAND = {
     "vbss_record_check_log", "vbss_replay_get_info", "vbss_replay_read", "vbss_metrics_get_penalty", "vbss_mock_get_adapter",
     "vbss_scene_add_thread", "vbss_scene_add_drain", "vbss_scene_add_needle", "vbss_scene_add_grasper", "vbss_scene_remove",
     "vbss_scene_move_surface", "vbss_scene_remesh_surface", "vbss_scene_set_surface_compliance", "vbss_scene_get_surface_view",
-    "vbss_openhaptics_get_adapter", "vbss_nidaqmx_get_adapter"}
+    "vbss_openhaptics_get_adapter", "vbss_nidaqmx_get_adapter", "vbss_session_begin_at"}
 # Of every class that has them, in VbssObject.
 SHARED = ("_save", "_restore", "_destroy", "_get_view")
 # What a name would be in the way of a property or of a word of the language.

@@ -76,6 +76,9 @@ typedef struct followed {
     bool there, agrees; /* the scene has one; it is the one that was recorded */
     bool measured;      /* what is measured is its */
     vbss_session_status status;
+    vbss_session_exercise_state exercise; /* NONE: the whole task */
+    vbss_session_measure measures[8];
+    uint32_t measure_count;
     vbss_session_event *events;
     size_t count, room;
 } followed;

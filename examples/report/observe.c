@@ -208,6 +208,17 @@ vbss_result facts_observe_end(facts *f, stage *s)
 }
 
 /* What it told and measured; the tools must be those of the page. */
+static vbss_result observe_exercise(followed *t, const stage *s)
+{
+    const uint32_t room = sizeof t->measures / sizeof t->measures[0];
+    TRY(vbss_session_get_exercise(s->task.session, &t->exercise, sizeof t->exercise));
+    for (uint32_t i = 0; i < t->exercise.measure_count && i < room; i++) {
+        TRY(vbss_session_get_measure(s->task.session, i, &t->measures[i], sizeof t->measures[i]));
+        t->measure_count = i + 1;
+    }
+    return VBSS_OK;
+}
+
 vbss_result facts_observe_session(facts *f, stage *s)
 {
     followed *t = &f->again.session;
@@ -215,6 +226,7 @@ vbss_result facts_observe_session(facts *f, stage *s)
         return VBSS_OK;
     }
     TRY(vbss_session_get_status(s->task.session, &t->status, sizeof t->status));
+    TRY(observe_exercise(t, s));
     for (uint64_t i = t->status.first_event; i < t->status.event_count; i++) {
         if (!facts_room((void **)&t->events, &t->room, t->count, sizeof *t->events)) {
             return VBSS_ERROR_OUT_OF_MEMORY;

@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "exercise/practice.h"
 #include "surgeon/surgeon.h"
 #include "throw/trial.h"
 
@@ -13,7 +14,7 @@ enum { MAX_WORDS = 96 };
 /* "vbss throw surgeons seed 2" and nothing else; "vbss surgeon seed 2", whose kind is empty, or "vbss surgeon 120 seed 2", whose
  * thread has so many segments. */
 typedef struct words {
-    char program[16], kind[16];
+    char program[16], kind[32];
     unsigned long seed;
 } words;
 
@@ -27,7 +28,7 @@ static bool read_note(const void *note, size_t count, words *w)
     }
     memcpy(text, note, count);
     text[count] = '\0';
-    int got = sscanf(text, "vbss %15s %15s seed %10lu%n", w->program, w->kind, &w->seed, &end);
+    int got = sscanf(text, "vbss %15s %31s seed %10lu%n", w->program, w->kind, &w->seed, &end);
     if (got != 3) {
         w->kind[0] = '\0';
         got = 1 + sscanf(text, "vbss %15s seed %10lu%n", w->program, &w->seed, &end);
@@ -56,10 +57,17 @@ static bool is_surgeon(const words *w)
     return strcmp(w->program, "surgeon") == 0 && (w->kind[0] == '\0' || segments_of(w) > 0);
 }
 
+static bool is_exercise(const words *w)
+{
+    return strcmp(w->program, "exercise") == 0 && w->seed == 0 &&
+           practice_named(w->kind) != VBSS_SESSION_EXERCISE_NONE;
+}
+
 bool stage_knows(const void *note, size_t count)
 {
     words w;
-    return read_note(note, count, &w) && (is_throw(&w) || is_stitch(&w) || is_surgeon(&w));
+    return read_note(note, count, &w) &&
+           (is_throw(&w) || is_stitch(&w) || is_surgeon(&w) || is_exercise(&w));
 }
 
 /* ---- scenes */
@@ -96,8 +104,9 @@ static vbss_result make_stitch(stage *s, const words *w)
     stitch_plan plan;
     memset(&t, 0, sizeof t);
     s->rig = &t.site.rig;
-    if (is_surgeon(w)) {
-        s->name = surgeon_name;
+    if (is_surgeon(w) || is_exercise(w)) {
+        s->name = is_exercise(w) ? "an exercise (examples/exercise)" : surgeon_name;
+        s->exercise = is_exercise(w) ? practice_named(w->kind) : VBSS_SESSION_EXERCISE_NONE;
         s->tasked = &t;
         surgeon_plan(&usual, &plan);
     } else {
@@ -151,6 +160,9 @@ vbss_result stage_follow(stage *s)
 vbss_result stage_follow_task(stage *s, vbss_replay *replay)
 {
     const task_plan plan = {.coaching = true}; /* whatever the log's did: its hashes do not tell */
+    if (s->exercise != VBSS_SESSION_EXERCISE_NONE) {
+        return practice_follow(&s->task, s->tasked, s->exercise, replay);
+    }
     return s->tasked != NULL ? task_create_as(&s->task, s->tasked, NULL, replay, &plan) : VBSS_OK;
 }
 

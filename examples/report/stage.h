@@ -18,6 +18,7 @@ typedef struct stage {
     uint32_t needle;   /* body; 0: none */
     vbss_knot_detector *detector;
     const stitch *tasked; /* of which there is a session; may be NULL */
+    int32_t exercise;     /* of that session: a VBSS_SESSION_EXERCISE_ constant */
     task task;
 } stage;
 

@@ -1,6 +1,7 @@
 /* What came of it: completed or not, time, score and every point that it is below 600. */
 #include "knots/words.h"
 
+#include "exercise/places.h"
 #include "report/page.h"
 #include "surgeon/task.h"
 
@@ -105,7 +106,9 @@ static void put_score_card(page *p, const facts *f)
 {
     const vbss_metrics_report *r = &f->measured.report;
     put(p, "<div class=\"card\"><p class=\"label\">Score</p><p class=\"big");
-    if ((r->flags & VBSS_METRICS_FLAG_ASSISTED) != 0) {
+    if (f->again.session.exercise.exercise != VBSS_SESSION_EXERCISE_NONE) {
+        put(p, "\">none</p><p>an exercise has no score</p></div>\n");
+    } else if ((r->flags & VBSS_METRICS_FLAG_ASSISTED) != 0) {
         put(p, "\">none</p><p>the trainee was assisted</p></div>\n");
     } else if (page_may_go_on(f)) {
         put(p, "\">unknown</p><p>how the trial went on is not in the log</p></div>\n");
@@ -134,6 +137,35 @@ static void put_cards(page *p, const facts *f)
     put_score_card(p, f);
     put_knot_card(p, f);
     put(p, "</div>\n");
+}
+
+/* ---- an exercise, which has an outcome in place of a score */
+
+static const char *words_of_outcome(vbss_session_outcome found)
+{
+    return found == VBSS_SESSION_OUTCOME_PASSED   ? "Passed"
+           : found == VBSS_SESSION_OUTCOME_FAILED ? "Not passed"
+                                                  : "Not ended";
+}
+
+static void put_exercise(page *p, const followed *t)
+{
+    const vbss_session_exercise_state *e = &t->exercise;
+    char words[PRACTICE_LINE];
+    put(p, "<div class=\"cards\"><div class=\"card\"><p class=\"label\">Exercise ");
+    put_text(p, e->name);
+    put(p, "</p><p class=\"big %s\">%s</p><p>",
+        e->outcome == VBSS_SESSION_OUTCOME_PASSED ? "good" : "bad", words_of_outcome(e->outcome));
+    put_text(p, e->sentence);
+    put(p, " %.1f s%s. An exercise has no score.</p></div></div>\n<ul>\n", e->time,
+        e->aids_used != 0 ? ", with aids" : "");
+    for (uint32_t i = 0; i < t->measure_count; i++) {
+        practice_words(&t->measures[i], words);
+        put(p, "<li class=\"%s\">", t->measures[i].is_met != 0 ? "good" : "bad");
+        put_text(p, words);
+        put(p, "%s</li>\n", t->measures[i].is_met != 0 ? "" : " (missed)");
+    }
+    put(p, "</ul>\n");
 }
 
 /* ---- every point */
@@ -188,6 +220,9 @@ void page_summary(page *p, const facts *f)
 {
     const measured *m = &f->measured;
     put(p, "<section aria-labelledby=\"summary\"><h2 id=\"summary\">Summary</h2>\n");
+    if (f->again.session.exercise.exercise != VBSS_SESSION_EXERCISE_NONE) {
+        put_exercise(p, &f->again.session);
+    }
     put_cards(p, f);
     put_score(p, m);
     put(p,

@@ -223,6 +223,10 @@ void task_words(const vbss_session_event *e, char words[TASK_WORDS])
         snprintf(words, TASK_WORDS, "aid %s: %s", e->undone != 0 ? "off" : "on, no score",
                  name_of_aid(e->number));
         return;
+    case VBSS_SESSION_EVENT_EXERCISE:
+        snprintf(words, TASK_WORDS, "the exercise is %s",
+                 e->amount > 0.0 ? "passed" : "not passed");
+        return;
     case VBSS_SESSION_EVENT_TIME_LOST:
         snprintf(words, TASK_WORDS, "%s simulated time is lost: %.3f s",
                  e->undone != 0 ? "little" : "much", e->amount);

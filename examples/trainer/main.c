@@ -6,6 +6,8 @@
 #include <string.h>
 
 #include "decimal_point.h"
+#include "exercise/progress.h"
+#include "exercise/starts.h"
 #include "trainer/coach.h"
 #include "trainer/screen.h"
 
@@ -29,6 +31,24 @@ static int refuse(int status, const char *what, const char *why)
 
 /* ---- a run */
 
+/* False, told on standard error: it is not written. */
+static bool note_progress(const task *t)
+{
+    vbss_session_exercise_state e;
+    progress p;
+    char why[300];
+    if (t->options->progress == NULL || !stage_has_outcome(&t->stage, &e)) {
+        return true;
+    }
+    if (!progress_note(t->options->progress, &e, &p, why, sizeof why)) {
+        return refuse(FAULTY, why, "the file stays as it is") == GOOD;
+    }
+    const progress_row *row = &p.rows[e.exercise];
+    printf("progress: %u of %u passed, %u without aids\n", row->passed, row->attempts,
+           row->unaided);
+    return true;
+}
+
 static int watch(task *t)
 {
     pthread_t thread;
@@ -50,7 +70,8 @@ static int watch(task *t)
     (void)pthread_join(thread, NULL);
     screen_end(&s);
     hardware_close(&t->hardware);
-    return screen_report(t, system) ? GOOD : FAULTY;
+    bool good = screen_report(t, system);
+    return note_progress(t) && good ? GOOD : FAULTY;
 }
 
 /* Real hardware is not broken on purpose. */
@@ -80,6 +101,51 @@ static const vbss_solver_options *find_budgets(const options *o, vbss_solver_opt
     return good ? solver : NULL;
 }
 
+static void show_making(void *user, double seconds)
+{
+    (void)user;
+    fprintf(stderr,
+            "\rtrainer: the scripted surgeon makes the starts of exercises: %.0f s of about 77 s ",
+            seconds);
+}
+
+static bool make_starts(start_states *states, const char *path)
+{
+    char why[300];
+    starts_free(states);
+    bool good = starts_make(states, show_making, NULL);
+    fputc('\n', stderr);
+    if (good && !starts_write(states, path, why, sizeof why)) {
+        fprintf(stderr, "trainer: %s: they are made again the next time\n", why);
+    }
+    return good;
+}
+
+/* States that are missing, damaged or of another version of the library are made anew. */
+static vbss_result create_exercise(stage *s, const options *o, const vbss_solver_options *solver)
+{
+    const char *path = o->starts != NULL ? o->starts : "exercise.starts";
+    vbss_session_exercise exercise = practice_named(o->exercise);
+    start_states states = {.memory = NULL};
+    char why[300];
+    if (practice_place(exercise) != START_NEW) {
+        (void)starts_read(&states, path, why, sizeof why);
+    }
+    vbss_result result = stage_create_exercise(s, exercise, &states, solver);
+    if (result != VBSS_OK && practice_place(exercise) != START_NEW && make_starts(&states, path)) {
+        stage_destroy(s);
+        result = stage_create_exercise(s, exercise, &states, solver);
+    }
+    starts_free(&states);
+    return result;
+}
+
+static vbss_result create_stage(stage *s, const options *o, const stage_row *row,
+                                unsigned long seed, const vbss_solver_options *solver)
+{
+    return o->exercise != NULL ? create_exercise(s, o, solver) : stage_create(s, row, seed, solver);
+}
+
 static int run(const options *o, const calibration *c, const score *log, const stage_row *row)
 {
     static task t;
@@ -89,7 +155,7 @@ static int run(const options *o, const calibration *c, const score *log, const s
     t.options = o;
     t.calibration = c;
     t.duration = o->seconds < 0.0 && log != NULL ? log->duration : o->seconds;
-    if (stage_create(&t.stage, row, log != NULL ? log->seed : 0, find_budgets(o, &solver, &t)) !=
+    if (create_stage(&t.stage, o, row, log != NULL ? log->seed : 0, find_budgets(o, &solver, &t)) !=
         VBSS_OK) {
         stage_destroy(&t.stage);
         return refuse(NOT_THERE, row->name, "the scene cannot be made");
@@ -168,6 +234,9 @@ int main(int count, char **words)
     const stage_row *row = stage_find(o.scene);
     if (row == NULL) {
         return refuse(WRONG_WORD, o.scene, "no such scene");
+    }
+    if (o.exercise != NULL && practice_named(o.exercise) == VBSS_SESSION_EXERCISE_NONE) {
+        return refuse(WRONG_WORD, o.exercise, "no such exercise");
     }
     if (!knows_faults(&o)) {
         return refuse(WRONG_WORD, "--fault", "no such fault");

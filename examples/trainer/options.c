@@ -23,6 +23,14 @@ void options_help(void)
         "  --calibrate                  guides through it and writes the calibration\n"
         "  --calibration FILE           where that is\n"
         "  --scene NAME                 default: stitch\n"
+        "  --exercise NAME              one skill of the task, in place of a scene: take_needle, "
+        "pass_mark,\n"
+        "                               single_throw, double_throw, square_throw, cut\n"
+        "  --starts FILE                where exercises start; made when it is not there (1 to 3 "
+        "minutes);\n"
+        "                               default: exercise.starts\n"
+        "  --progress FILE              a line for each exercise: attempts, passed, unaided, best "
+        "time\n"
         "  --seconds N                  default: until Ctrl-C or the end of the log\n"
         "  --simulated                  the clock of stand-ins, mock and log, as fast as it goes\n"
         "  --core-speed measure|off|N   budgets of work: of the core with its measured speed "
@@ -167,6 +175,9 @@ static bool read_text(const char *word, const char *value, options *o)
     } texts[] = {{"--scene", &o->scene},
                  {"--calibration", &o->calibration},
                  {"--replay", &o->replay},
+                 {"--exercise", &o->exercise},
+                 {"--starts", &o->starts},
+                 {"--progress", &o->progress},
                  {"--openhaptics-library", &o->openhaptics_library},
                  {"--nidaq-library", &o->nidaq_library}};
     for (size_t i = 0; i < sizeof texts / sizeof *texts; i++) {
@@ -185,6 +196,10 @@ static bool all_fits(const options *o, char *why, size_t bytes)
     }
     if (o->calibrate && o->arm_count == 0 && o->handle_count == 0) {
         return refuse(why, bytes, "--calibrate", "neither --openhaptics nor --nidaq is given");
+    }
+    if (o->exercise == NULL && (o->starts != NULL || o->progress != NULL)) {
+        return refuse(why, bytes, o->starts != NULL ? "--starts" : "--progress",
+                      "wants --exercise NAME");
     }
     bool others = o->mock || o->replay != NULL || o->calibrate || o->list;
     if (o->arm_count < HANDS && !others) {

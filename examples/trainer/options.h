@@ -23,8 +23,9 @@ typedef struct options {
     double seconds; /* at most; below 0: until Ctrl-C, or the log's end */
     const char *calibration;
     const char *replay;
-    uint32_t arm_count;           /* 0: none */
-    char arms[HANDS][NAME_BYTES]; /* empty: the library's default */
+    const char *exercise, *starts, *progress; /* NULL: none */
+    uint32_t arm_count;                       /* 0: none */
+    char arms[HANDS][NAME_BYTES];             /* empty: the library's default */
     const char *openhaptics_library;
     uint32_t handle_count;
     char inputs[HANDS][NAME_BYTES], lines[HANDS][NAME_BYTES];

@@ -5,6 +5,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "exercise/practice.h"
 #include "surgeon/surgeon.h"
 #include "surgeon/task.h"
 
@@ -171,6 +172,66 @@ static vbss_result create_surgeon(stage *s)
     return VBSS_OK;
 }
 
+/* ---- an exercise, in the same scene */
+
+static void take_tool_as_it_is(stage *s, int side, const hand *h)
+{
+    vbss_grasper_state now;
+    take_tool(s, side, h);
+    if (vbss_grasper_get_state(h->grasper, &now, sizeof now) == VBSS_OK) {
+        s->start[side] = v_load(now.target_position);
+    }
+}
+
+static const stage_row exercise_row = {
+    "exercise", "one skill of the task", create_surgeon, script_stitch, 0.0, 0.0};
+
+/* States are of a scene with the usual budgets, which change when it is restored. */
+static vbss_result begin_exercise(stage *s, const start_states *states)
+{
+    const surgeon_options usual = {.seed = 0};
+    const vbss_solver_options *o = &s->solver;
+    stitch_plan plan;
+    task of_exercise;
+    surgeon_plan(&usual, &plan);
+    vbss_result result = stitch_create(&s->stitch, 0, &plan);
+    s->site = s->stitch.site;
+    s->context = s->site.rig.context;
+    s->scene = s->site.rig.scene;
+    TRY(result);
+    s->floor = s->site.floor;
+    s->middle = v3(0.0, 0.0, 0.02);
+    TRY(practice_begin(&of_exercise, &s->stitch, s->exercise, states));
+    s->session = of_exercise.session;
+    take_tool_as_it_is(s, LEFT, &s->stitch.left);
+    take_tool_as_it_is(s, RIGHT, &s->stitch.right);
+    return vbss_scene_set_budgets(s->scene, o->step_budget_us, o->call_budget_us,
+                                  o->operations_per_us);
+}
+
+static void begin_stage(stage *s, const stage_row *row, const vbss_solver_options *solver)
+{
+    memset(s, 0, sizeof *s);
+    s->solver = solver != NULL ? *solver : vbss_solver_options_default();
+    s->solver.call_budget_us = solver != NULL ? s->solver.call_budget_us : FIXED_CALL;
+    s->row = row;
+}
+
+vbss_result stage_create_exercise(stage *s, vbss_session_exercise exercise,
+                                  const start_states *states, const vbss_solver_options *solver)
+{
+    begin_stage(s, &exercise_row, solver);
+    s->exercise = exercise;
+    return begin_exercise(s, states);
+}
+
+bool stage_has_outcome(const stage *s, vbss_session_exercise_state *state)
+{
+    return s->exercise != VBSS_SESSION_EXERCISE_NONE &&
+           vbss_session_get_exercise(s->session, state, sizeof *state) == VBSS_OK &&
+           state->outcome != VBSS_SESSION_OUTCOME_NONE;
+}
+
 /* ---- the table */
 
 static const stage_row rows[] = {
@@ -200,11 +261,8 @@ const stage_row *stage_find(const char *name)
 vbss_result stage_create(stage *s, const stage_row *row, unsigned long seed,
                          const vbss_solver_options *solver)
 {
-    memset(s, 0, sizeof *s);
+    begin_stage(s, row, solver);
     s->seed = seed;
-    s->solver = solver != NULL ? *solver : vbss_solver_options_default();
-    s->solver.call_budget_us = solver != NULL ? s->solver.call_budget_us : FIXED_CALL;
-    s->row = row;
     return row->create(s);
 }
 
@@ -237,9 +295,32 @@ static void report_lost_time(const stage *s)
     }
 }
 
+static void report_exercise(const stage *s)
+{
+    vbss_session_exercise_state e;
+    vbss_session_measure m;
+    char words[PRACTICE_LINE];
+    bool has_ended = stage_has_outcome(s, &e);
+    if (s->exercise == VBSS_SESSION_EXERCISE_NONE) {
+        return;
+    }
+    printf("exercise %s: %s after %.1f s%s\n", e.name,
+           !has_ended                                 ? "not ended"
+           : e.outcome == VBSS_SESSION_OUTCOME_PASSED ? "PASSED"
+                                                      : "not passed",
+           e.time, e.aids_used != 0 ? ", with aids" : "");
+    for (uint32_t i = 0; i < e.measure_count; i++) {
+        if (vbss_session_get_measure(s->session, i, &m, sizeof m) == VBSS_OK) {
+            practice_words(&m, words);
+            printf("  %s %s\n", m.is_met != 0 ? "good" : "    ", words);
+        }
+    }
+}
+
 void stage_report(const stage *s)
 {
     report_lost_time(s);
+    report_exercise(s);
     vbss_session_status now;
     vbss_session_event e;
     char words[TASK_WORDS];

@@ -2,6 +2,7 @@
 #ifndef VBSS_EXAMPLES_TRAINER_STAGE_H
 #define VBSS_EXAMPLES_TRAINER_STAGE_H
 
+#include "exercise/places.h"
 #include "needle/stitch.h"
 #include "throw/core_speed.h"
 #include "trainer/options.h"
@@ -19,8 +20,9 @@ typedef struct stage {
     vbss_context *context;
     vbss_scene *scene;
     vbss_session *session; /* of the task; NULL: the scene has none */
-    stitch stitch;         /* of the surgeon, whose hands are not used; or */
-    site site;             /* that of the task */
+    vbss_session_exercise exercise;
+    stitch stitch; /* of the surgeon, whose hands are not used; or */
+    site site;     /* that of the task */
     vbss_grasper *tools[HANDS];
     uint32_t bodies[HANDS];
     vec start[HANDS];
@@ -42,6 +44,11 @@ const stage_row *stage_at(size_t number);
 /* Of a surgeon's scene the seed says which. Options of the solver: NULL for fixed budgets. */
 vbss_result stage_create(stage *s, const stage_row *row, unsigned long seed,
                          const vbss_solver_options *solver);
+/* Of an exercise. States that its start does not need may be missing. */
+vbss_result stage_create_exercise(stage *s, vbss_session_exercise exercise,
+                                  const start_states *states, const vbss_solver_options *solver);
+/* Its outcome is known. */
+bool stage_has_outcome(const stage *s, vbss_session_exercise_state *state);
 vbss_result stage_step(stage *s, double h);
 /* How far the task is; empty without one. */
 const char *stage_phase(const stage *s);

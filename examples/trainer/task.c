@@ -83,7 +83,8 @@ static bool is_over(task *t)
     if (stopped && t->stopped_since < 0.0) {
         t->stopped_since = t->now.time;
     }
-    return t->failed || atomic_load(&t->end) ||
+    vbss_session_exercise_state e;
+    return t->failed || atomic_load(&t->end) || stage_has_outcome(&t->stage, &e) ||
            (stopped && t->now.time - t->stopped_since >= LAST_SECONDS) ||
            (t->duration >= 0.0 && t->now.time >= t->duration - 0.5 * STEP);
 }

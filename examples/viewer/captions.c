@@ -2,6 +2,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "exercise/places.h"
 #include "playing.h"
 
 static const char *const help[] = {
@@ -15,6 +16,7 @@ static const char *const help[] = {
     "P pause, . a frame on    R from the beginning    H this    Esc",
     "aids, without a score: F2 needle's arc  F3 wind  F4 snap roll",
     "F5 slow motion  F6 no sinking  F7 idle tool stays",
+    "X: shears in place of the tool, and back, with empty jaws",
     "gamepad: sticks move, roll; left bumper: turn; right trigger: jaws;",
     "right bumper: the other tool; left trigger: finer",
 };
@@ -106,6 +108,47 @@ static void put_aids(playing *p)
     pen_text(&p->show.pen, SHOW_MARGIN, y, SHOW_TEXT, PEN_YELLOW, line);
 }
 
+/* The exercise's goal; its measures once it has ended. */
+static void put_exercise(playing *p)
+{
+    show *s = &p->show;
+    vbss_session_exercise_state e;
+    vbss_session_measure m;
+    char words[PRACTICE_LINE], line[300];
+    if (p->o->exercise == NULL ||
+        vbss_session_get_exercise(p->live.stage.task.session, &e, sizeof e) != VBSS_OK) {
+        return;
+    }
+    const bool ended = e.outcome != VBSS_SESSION_OUTCOME_NONE,
+               passed = e.outcome == VBSS_SESSION_OUTCOME_PASSED;
+    float y = s->tall - SHOW_MARGIN - (ended ? (float)(e.measure_count + 3) : 2.2F) * SHOW_LINE;
+    snprintf(line, sizeof line, "%s%s",
+             !ended   ? "exercise: "
+             : passed ? "PASSED: "
+                      : "NOT PASSED: ",
+             e.sentence);
+    pen_box(&s->pen, 0.5F * SHOW_MARGIN, y - 1.4F * SHOW_TEXT, s->wide - SHOW_MARGIN,
+            2.0F * SHOW_TEXT, PEN_SHADE);
+    pen_text(&s->pen, SHOW_MARGIN, y, SHOW_TEXT,
+             !ended   ? PEN_WHITE
+             : passed ? PEN_GREEN
+                      : PEN_RED,
+             line);
+    for (uint32_t i = 0; ended && i < e.measure_count; i++) {
+        y += SHOW_LINE;
+        if (vbss_session_get_measure(p->live.stage.task.session, i, &m, sizeof m) == VBSS_OK) {
+            practice_words(&m, words);
+            pen_box(&s->pen, 0.5F * SHOW_MARGIN, y - 1.4F * SHOW_TEXT, 480.0F, 2.0F * SHOW_TEXT,
+                    PEN_SHADE);
+            pen_text(&s->pen, SHOW_MARGIN, y, SHOW_TEXT, m.is_met != 0 ? PEN_WHITE : PEN_RED,
+                     words);
+        }
+    }
+    if (p->noted) {
+        pen_text(&s->pen, SHOW_MARGIN, y + SHOW_LINE, SHOW_TEXT, PEN_WHITE, p->progress);
+    }
+}
+
 static void put_state(playing *p)
 {
     show *s = &p->show;
@@ -141,6 +184,7 @@ void captions_put(playing *p)
     }
     put_state(p);
     put_aids(p);
+    put_exercise(p);
     if ((p->show.overlays & SHOW_HELP) != 0) {
         overlay_help(&p->show, help, (int)(sizeof help / sizeof *help));
     }

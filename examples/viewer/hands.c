@@ -3,6 +3,9 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "exercise/practice.h"
+#include "exercise/progress.h"
+#include "exercise/starts.h"
 #include "playing.h"
 
 #define MAX_STEPS 50 /* a frame: what takes longer is slow motion */
@@ -76,15 +79,47 @@ static vbss_result go_on(playing *p)
 
 /* ---- a session */
 
+static vbss_result create(playing *p, const live_scene *scene)
+{
+    const options *o = p->o;
+    p->noted = false;
+    return o->exercise != NULL ? live_create_exercise(&p->live, practice_named(o->exercise),
+                                                      &p->states, p->arms, o->keep)
+                               : live_create(&p->live, scene, o->seed, p->arms, o->keep);
+}
+
+/* Counts the exercise once, when it has its outcome. */
+static void note_outcome(playing *p)
+{
+    vbss_session_exercise_state e;
+    progress all;
+    if (p->noted || p->o->exercise == NULL || p->o->progress == NULL ||
+        vbss_session_get_exercise(p->live.stage.task.session, &e, sizeof e) != VBSS_OK ||
+        e.outcome == VBSS_SESSION_OUTCOME_NONE) {
+        return;
+    }
+    p->noted = true;
+    if (progress_note(p->o->progress, &e, &all, p->progress, sizeof p->progress)) {
+        const progress_row *row = &all.rows[e.exercise];
+        snprintf(p->progress, sizeof p->progress, "%u of %u passed, %u without aids", row->passed,
+                 row->attempts, row->unaided);
+    } else {
+        fprintf(stderr, "viewer: %s; the file stays as it is\n", p->progress);
+    }
+}
+
 static bool begin(playing *p)
 {
     const live_scene *scene = live_find(p->o->live);
     if (p->arms != NULL && !arms_open(p->arms)) {
         return false;
     }
-    const vbss_result result = live_create(&p->live, scene, p->o->seed, p->arms, p->o->keep);
+    const vbss_result result = create(p, scene);
     if (result != VBSS_OK) {
         fprintf(stderr, "viewer: %s: %s\n", scene->name, vbss_result_string(result));
+        if (p->o->exercise != NULL) {
+            fprintf(stderr, "viewer: `exercise_starts FILE` makes the file for --starts\n");
+        }
         return false;
     }
     orbit_begin(&p->orbit, scene->target, scene->aside, scene->away);
@@ -111,6 +146,7 @@ static bool play(playing *p)
             fprintf(stderr, "viewer: %s: %s\n", vbss_result_string(result), text);
             return false;
         }
+        note_outcome(p);
         if (!draw(p)) {
             return false;
         }
@@ -147,6 +183,15 @@ int mode_live(const options *o)
         }
         return 2;
     }
+    if (o->exercise != NULL && practice_named(o->exercise) == VBSS_SESSION_EXERCISE_NONE) {
+        fprintf(stderr, "viewer: there is no exercise %s\n", o->exercise);
+        return 2;
+    }
+    char why[300];
+    if (o->starts != NULL && !starts_read(&p.states, o->starts, why, sizeof why)) {
+        fprintf(stderr, "viewer: %s\n", why);
+        return 2;
+    }
     if (o->hands != NULL || o->device_words > 0) {
         p.arms = arms_read(o->device_words, (char **)o->devices, o->hands);
         if (p.arms == NULL) {
@@ -159,5 +204,6 @@ int mode_live(const options *o)
         window_end(&p.window, &p.show);
     }
     arms_free(p.arms);
+    starts_free(&p.states);
     return status;
 }

@@ -3,6 +3,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "exercise/practice.h"
+
 #define STEP 1e-3
 
 enum { NOTE = 64 };
@@ -112,6 +114,19 @@ vbss_result live_create(live *l, const live_scene *scene, unsigned long seed, ar
     return begin_task(l);
 }
 
+vbss_result live_create_exercise(live *l, vbss_session_exercise exercise,
+                                 const start_states *states, arms *a, const char *log)
+{
+    char note[PRACTICE_NOTE];
+    begin(l, live_find("stitch"), a);
+    practice_note(exercise, note);
+    TRY(stage_create(&l->stage, note, strlen(note)));
+    TRY(practice_begin(&l->stage.task, l->stage.tasked, exercise, states));
+    TRY(practice_record(&l->stage.task, l->stage.rig, exercise, log));
+    TRY(begin_hand(l, LEFT));
+    return begin_hand(l, RIGHT);
+}
+
 /* ---- a step */
 
 static vbss_result report_tool(const live *l, int side, const double at[3], const double turned[4],
@@ -135,6 +150,16 @@ vbss_result live_toggle_aid(live *l, uint32_t aid)
     l->aided = true;
     a.aids = l->aids;
     return vbss_session_set_assistance(l->stage.rig->session, &a);
+}
+
+vbss_result live_exchange(live *l, int side)
+{
+    vbss_grasper *grasper = l->stage.graspers[side];
+    vbss_grasper_state tool;
+    TRY(vbss_grasper_get_state(grasper, &tool, sizeof tool));
+    return vbss_grasper_exchange(grasper, tool.kind == VBSS_GRASPER_KIND_SHEARS
+                                              ? VBSS_GRASPER_KIND_NEEDLE_DRIVER
+                                              : VBSS_GRASPER_KIND_SHEARS);
 }
 
 static vbss_result give_hand(const live *l, int side, const double at[3], const double turned[4],

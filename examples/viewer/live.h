@@ -3,6 +3,7 @@
 #define VBSS_EXAMPLES_VIEWER_LIVE_H
 
 #include "arms.h"
+#include "exercise/places.h"
 #include "mouse_hand.h"
 #include "report/stage.h"
 #include "trainer/grip.h"
@@ -34,12 +35,17 @@ const live_scene *live_at(size_t number);
 /* Arms, which are open, and log may be NULL. */
 vbss_result live_create(live *l, const live_scene *scene, unsigned long seed, arms *a,
                         const char *log);
+/* An exercise in the scene "stitch". Where it starts is in the states. */
+vbss_result live_create_exercise(live *l, vbss_session_exercise exercise,
+                                 const start_states *states, arms *a, const char *log);
 /* With a stitch that is there already, its log begun. */
 vbss_result live_take_over(live *l, const live_scene *scene, arms *a, stitch *t, const task *k);
 /* A device leads that hand. */
 bool live_by_device(const live *l, int side);
 /* Switches an aid of the session on, or off; nothing in a scene without one. */
 vbss_result live_toggle_aid(live *l, uint32_t aid);
+/* The other kind of tool for that hand: needle driver or shears. Its jaws have to be empty. */
+vbss_result live_exchange(live *l, int side);
 /* Hands, scene, knots of the session; a limb that stood by itself is let go when a hand has it. */
 vbss_result live_step(live *l);
 /* Ends the log. */

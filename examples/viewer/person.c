@@ -89,6 +89,8 @@ static void on_key(void *user, int key, bool shift)
         p->show.overlays ^= SHOW_HELP;
     } else if (key >= GLFW_KEY_F2 && key <= GLFW_KEY_F7) {
         (void)live_toggle_aid(&p->live, 1U << (key - GLFW_KEY_F2));
+    } else if (key == GLFW_KEY_X) {
+        (void)live_exchange(&p->live, p->live.active); /* refused with something in the jaws */
     } else if (key == GLFW_KEY_TAB) {
         take_other(p);
     } else if (key == GLFW_KEY_P) {

@@ -21,10 +21,13 @@ typedef struct playing {
     double clock;            /* of the last frame, s */
     double real_time_factor; /* simulated over real, smoothed */
     uint64_t frames;
-    double motion[2];  /* counts that came, since the beginning */
-    double next;       /* picture, s */
-    uint64_t granted;  /* frames, in lockstep */
-    uint64_t reported; /* what had come when it was told last */
+    double motion[2];    /* counts that came, since the beginning */
+    double next;         /* picture, s */
+    uint64_t granted;    /* frames, in lockstep */
+    start_states states; /* of exercises */
+    bool noted;          /* the exercise's outcome is in the file of progress */
+    char progress[160];  /* what came of that */
+    uint64_t reported;   /* what had come when it was told last */
 } playing;
 
 /* ---- person.c: what the person does */

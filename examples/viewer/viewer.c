@@ -3,6 +3,8 @@
  *     viewer --live throw|needle|stitch [--log FILE]      in a window, with a mouse and keys; F1 tells which; a gamepad too
  *     viewer --live ... --openhaptics [...] --nidaq [...] with arms and handles, as examples/trainer has them
  *     viewer --live ... --hands LOG [--fault NAME@FROM]   with the hands of a log, as mock devices
+ *     viewer --exercise NAME [--starts FILE] [--progress FILE]   one skill: docs/guides/exercises.md; exercise_starts FILE
+ *                                                         makes the first file
  *     viewer --replay LOG                                 in a window, with a time line
  *     viewer --replay LOG --png FOLDER [--every SECONDS]  stills, without a window
  *     viewer --replay LOG --mp4 FILE                      a film, by ffmpeg, without a window
@@ -61,8 +63,10 @@ static bool read_option(const char *name, const char *value, options *o)
     const struct {
         const char *name;
         const char **to;
-    } texts[] = {{"--replay", &o->log},  {"--live", &o->live},  {"--log", &o->keep},
-                 {"--hands", &o->hands}, {"--png", &o->folder}, {"--mp4", &o->film}};
+    } texts[] = {
+        {"--replay", &o->log},        {"--live", &o->live},     {"--log", &o->keep},
+        {"--hands", &o->hands},       {"--png", &o->folder},    {"--mp4", &o->film},
+        {"--exercise", &o->exercise}, {"--starts", &o->starts}, {"--progress", &o->progress}};
     const struct {
         const char *name;
         double *to;
@@ -131,6 +135,9 @@ static bool read_options(int count, char **words, options *o)
             i++;
         }
     }
+    if (o->exercise != NULL && o->live == NULL) {
+        o->live = "stitch";
+    }
     const bool taken = o->folder != NULL || o->film != NULL;
     const bool played = o->hands != NULL || o->device_words > 0 || o->keep != NULL || o->seed > 0;
     return (o->log != NULL) != (o->live != NULL) && !(played && o->live == NULL) &&
@@ -145,6 +152,7 @@ int main(int argc, char **argv)
         fprintf(stderr, "viewer --live throw|needle|stitch [--log FILE] [--seed N]\n"
                         "    [--hands LOG] [--openhaptics [LEFT[,RIGHT]]] [--nidaq [...]] "
                         "[--calibration FILE] and more, as the trainer has them\n"
+                        "viewer --exercise NAME [--starts FILE] [--progress FILE]\n"
                         "viewer --replay LOG [--png FOLDER [--every SECONDS]] [--mp4 FILE]\n"
                         "    [--from SECONDS] [--to SECONDS] [--size WIDTHxHEIGHT] [--show "
                         "contacts,forces,tension,knot,task,times,help,coach,all]\n"

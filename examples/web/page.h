@@ -60,6 +60,14 @@ PAGE_CALL(int32_t, page_replay)(void);
 /* To after that step. */
 PAGE_CALL(int32_t, page_seek)(uint32_t step);
 
+/* ---- practised.c: exercises and aids */
+
+/* As page_begin: an exercise of session_exercise.h. The states at which exercises start were put in the room of page_room; the
+ * first exercise needs none. */
+PAGE_CALL(int32_t, page_exercise)(int32_t exercise);
+/* VBSS_SESSION_AID_ bits of the aids that are on from the next step on. */
+PAGE_CALL(int32_t, page_set_aids)(uint32_t aids);
+
 /* ---- picture.c */
 
 /* The camera: turned to the right about the vertical, looking down by so much, that far away; width over height. */

@@ -20,11 +20,17 @@ static const live_scene *scene_of(const stage *s)
     return live_find(s->tasked != NULL ? "stitch" : s->drain != NULL ? "needle" : "throw");
 }
 
+replay_log page_take_room(void)
+{
+    const replay_log given = room;
+    room = (replay_log){NULL, 0};
+    return given;
+}
+
 int32_t page_replay(void)
 {
     page_session *p = page_get();
-    const replay_log log = room;
-    room = (replay_log){NULL, 0};
+    const replay_log log = page_take_room();
     page_clear(p);
     p->plays = true;
     const bool good = log.data != NULL && player_take(&p->player, log, "the log");

@@ -31,6 +31,8 @@ vbss_result page_complete(page_session *p, vbss_result made);
 vbss_result page_take_mouse(page_session *p, int side);
 /* Steps of a log, until it ends. (replayed.c) */
 vbss_result page_play(page_session *p, int32_t count);
+/* What page_room has received, which is the caller's now. (replayed.c) */
+replay_log page_take_room(void);
 /* The arms of live.h. (tracked.c) */
 arms *tracked_arms(void);
 /* The next session has no controllers yet. (tracked.c) */

@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "exercise/places.h"
 #include "knots/words.h"
 #include "page.h"
 #include "session.h"
@@ -83,6 +84,38 @@ static void put_coaching(const task *k)
         put(",\"point\":[%.6f,%.6f,%.6f]", c.point[0], c.point[1], c.point[2]);
     }
     put(",\"mistake\":\"%s\",\"remedy\":\"%s\"}", c.mistake_sentence, c.remedy);
+}
+
+/* ---- an exercise, and aids */
+
+static void put_exercise(const task *k)
+{
+    vbss_session_exercise_state e;
+    vbss_session_measure m;
+    char words[PRACTICE_LINE];
+    if (k->session == NULL || vbss_session_get_exercise(k->session, &e, sizeof e) != VBSS_OK ||
+        e.exercise == VBSS_SESSION_EXERCISE_NONE) {
+        return;
+    }
+    put(",\"exercise\":{\"name\":\"%s\",\"goal\":\"%s\",\"outcome\":%d,\"time\":%.3f,\"measures\":"
+        "[",
+        e.name, e.sentence, (int)e.outcome, e.time);
+    for (uint32_t i = 0; i < e.measure_count; i++) {
+        if (vbss_session_get_measure(k->session, i, &m, sizeof m) == VBSS_OK) {
+            practice_words(&m, words);
+            put("%s{\"words\":\"%s\",\"met\":%s}", i > 0 ? "," : "", words,
+                m.is_met != 0 ? "true" : "false");
+        }
+    }
+    put("]}");
+}
+
+static void put_aids(const task *k)
+{
+    vbss_session_status s;
+    if (k->session != NULL && vbss_session_get_status(k->session, &s, sizeof s) == VBSS_OK) {
+        put(",\"aids\":%u,\"aidsUsed\":%u", (unsigned)s.aids, (unsigned)s.aids_used);
+    }
 }
 
 /* ---- a log that is played */
@@ -188,6 +221,8 @@ const char *page_state(void)
     put_replay(p);
     put_task(&page_stage(p)->task);
     put_coaching(&page_stage(p)->task);
+    put_exercise(&page_stage(p)->task);
+    put_aids(&page_stage(p)->task);
     put_knot(p);
     put_events(p);
     put(",\"tools\":[");

@@ -150,7 +150,26 @@ enum {
     /** The aid `number`, a VBSS_SESSION_AID_ bit, was switched on: the task is
      * assisted and gets no score. `amount` is 1 for the first time, then 0. Undone: the aid was switched
      * off. */
-    VBSS_SESSION_EVENT_AID = 21
+    VBSS_SESSION_EVENT_AID = 21,
+    /** Only with `exercise`: the exercise `number` has ended; `amount` is 1 if it is passed, and 0 if it is
+     * not (session_exercise.h). */
+    VBSS_SESSION_EVENT_EXERCISE = 22
+};
+
+/** Exercise of a session: a VBSS_SESSION_EXERCISE_ constant. */
+typedef int32_t vbss_session_exercise;
+
+/** The constants of #vbss_session_exercise. session_exercise.h has their starts, goals and measures. */
+enum {
+    VBSS_SESSION_EXERCISE_NONE = 0,         /**< No exercise: the whole task. */
+    VBSS_SESSION_EXERCISE_TAKE_NEEDLE = 1,  /**< The needle is taken up. */
+    VBSS_SESSION_EXERCISE_PASS_MARK = 2,    /**< The needle is pushed through the wall at a mark. */
+    VBSS_SESSION_EXERCISE_SINGLE_THROW = 3, /**< A throw of one wrap is tied and seated. */
+    VBSS_SESSION_EXERCISE_DOUBLE_THROW = 4, /**< A throw of two wraps is tied and seated. */
+    /** A throw that is square to the first one is tied and seated. */
+    VBSS_SESSION_EXERCISE_SQUARE_THROW = 5,
+    VBSS_SESSION_EXERCISE_CUT = 6,  /**< Both tails are cut. */
+    VBSS_SESSION_EXERCISE_COUNT = 7 /**< One more than the largest exercise. */
 };
 
 /** Bits of the aids (session_assistance.h). "Along the direction" means: by the component of the hand's movement along
@@ -287,6 +306,10 @@ typedef struct vbss_session_config {
     /** Share of lost time above which TIME_LOST is an event and `is_lossy` is set, 0 to 1; default
      * 0.02. A trial shorter than 1 s counts as 1 s. */
     double lost_share;
+    /** Exercise that the session trains in place of the whole task (session_exercise.h); default
+     * NONE. The state of an exercise can be restored only to a session with the same one. */
+    vbss_session_exercise exercise;
+    uint32_t reserved; /**< Zero. */
 } vbss_session_config;
 
 /** Status of a session. */

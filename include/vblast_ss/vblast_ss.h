@@ -33,6 +33,7 @@
 #include <vblast_ss/session.h>
 #include <vblast_ss/session_assistance.h>
 #include <vblast_ss/session_coaching.h>
+#include <vblast_ss/session_exercise.h>
 #include <vblast_ss/solver_options.h>
 #include <vblast_ss/thread.h>
 #include <vblast_ss/visual.h>

@@ -188,6 +188,26 @@ vbss_result vbss_session_get_event(vbss_session *session, uint64_t index, vbss_s
                              struct_size);
 }
 
+/* ---- exercises */
+
+vbss_result vbss_session_get_exercise(vbss_session *session, vbss_session_exercise_state *state,
+                                      uint32_t struct_size)
+{
+    VBSS_ENTER(session);
+    session_object *s;
+    VBSS_TRY(vbss_session_open(session, &s));
+    return vbss_session_write_exercise(s, state, struct_size);
+}
+
+vbss_result vbss_session_get_measure(vbss_session *session, uint32_t index,
+                                     vbss_session_measure *measure, uint32_t struct_size)
+{
+    VBSS_ENTER(session);
+    session_object *s;
+    VBSS_TRY(vbss_session_open(session, &s));
+    return vbss_session_write_measure(s, index, measure, struct_size);
+}
+
 /* ---- snapshots */
 
 vbss_result vbss_session_save(vbss_session *session, uint8_t *bytes, uint64_t capacity,

@@ -96,7 +96,8 @@ void vbss_session_fill_coaching(const session_object *s, vbss_session_coaching *
         describe(s, goal, coaching);
     }
     bool is_over = (goal.tool == VBSS_METRICS_TOOL_RIGHT) == (vbss_session_wanted_sign(s) > 0.0);
-    coaching->sentence = vbss_session_goal_sentence(goal, coaching->number, is_over);
+    coaching->sentence =
+        vbss_session_goal_sentence(goal, coaching->number, vbss_session_wanted_wraps(s), is_over);
 }
 
 /* ---- state */

@@ -37,6 +37,17 @@ double vbss_session_needle_arc(const session_object *s, vec3 position)
     return needle.arc_radius * vbss_min(vbss_max(back, 0.0), needle.arc);
 }
 
+vec3 vbss_session_needle_point(const session_object *s, double arc_length)
+{
+    const scene_needle_info needle = read_needle(s);
+    return point_on_needle(&needle, arc_length);
+}
+
+double vbss_session_needle_length(const session_object *s)
+{
+    return read_needle(s).length;
+}
+
 /* ---- drain */
 
 /* Directions of the task at the slit. */

@@ -141,6 +141,9 @@ static session_goal find_goal_of_cut(const session_object *s, const session_obse
 
 session_goal vbss_session_find_goal(const session_object *s, const session_observation *observed)
 {
+    if (vbss_session_is_over(s)) {
+        return make_goal(VBSS_SESSION_GOAL_NONE, NO_HAND);
+    }
     switch (s->phase) {
     case VBSS_SESSION_PHASE_LOADING:
         return make_goal(VBSS_SESSION_GOAL_TAKE_NEEDLE, vbss_session_limb_hand(s));

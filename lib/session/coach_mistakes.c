@@ -121,11 +121,12 @@ static uint64_t observe_throws(const session_object *s, const mistake_facts *f)
 {
     const session_coach *c = &s->coach;
     bool is_granny = false, is_few = false, is_many = false;
+    int32_t first = s->config.exercise == VBSS_SESSION_EXERCISE_SINGLE_THROW ? 1 : 2;
     for (uint32_t i = 0; i < s->throw_count; i++) {
         const session_throw_observation *t = &s->throws[i].value;
         is_granny |= t->relation == VBSS_METRICS_RELATION_GRANNY;
-        is_few |= i == 0 && t->wraps == 1;
-        is_many |= t->wraps > (i == 0 ? 2 : 1);
+        is_few |= i == 0 && t->wraps < first;
+        is_many |= t->wraps > (i == 0 ? first : 1);
     }
     uint32_t faults = vbss_session_faults(s);
     return when(is_granny, BIT(GRANNY)) | when(is_few, BIT(TOO_FEW_WRAPS)) |

@@ -18,7 +18,8 @@ uint32_t vbss_session_next_throw(const session_object *s)
 
 uint32_t vbss_session_wanted_wraps(const session_object *s)
 {
-    return vbss_session_next_throw(s) == 0 ? 2 : 1;
+    bool is_single = s->config.exercise == VBSS_SESSION_EXERCISE_SINGLE_THROW;
+    return vbss_session_next_throw(s) == 0 && !is_single ? 2 : 1;
 }
 
 /* Turns w > 0 tie a left-handed throw, and handedness has to alternate. The first throw is wound over the

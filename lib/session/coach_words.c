@@ -70,10 +70,11 @@ static const char *const windings[2][2][2] = {WINDINGS("left", "right"), WINDING
 static const char *const cuts[2] = {"Cut the short tail a few millimetres from the knot.",
                                     "Cut the needle's thread a few millimetres from the knot."};
 
-const char *vbss_session_goal_sentence(session_goal goal, uint32_t number, bool is_over)
+const char *vbss_session_goal_sentence(session_goal goal, uint32_t number, uint32_t wraps,
+                                       bool is_over)
 {
     if (goal.goal == VBSS_SESSION_GOAL_WIND) {
-        return windings[goal.tool == VBSS_METRICS_TOOL_RIGHT][number > 0][is_over];
+        return windings[goal.tool == VBSS_METRICS_TOOL_RIGHT][wraps == 1][is_over];
     }
     return goal.goal == VBSS_SESSION_GOAL_CUT ? cuts[number % 2] : goals[goal.goal][goal.tool];
 }

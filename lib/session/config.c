@@ -9,8 +9,10 @@
 
 #define SIZE_BEFORE_GAP_MEASURE offsetof(vbss_session_config, gap_measure)
 #define SIZE_BEFORE_LOST_SHARE offsetof(vbss_session_config, lost_share)
+#define SIZE_BEFORE_EXERCISE offsetof(vbss_session_config, exercise)
 
-_Static_assert(sizeof(vbss_session_config) == 152 + 8 * sizeof(void *), "published size");
+_Static_assert(sizeof(vbss_session_config) == 160 + 8 * sizeof(void *), "published size");
+_Static_assert(SIZE_BEFORE_EXERCISE == 152 + 8 * sizeof(void *), "published size");
 _Static_assert(SIZE_BEFORE_LOST_SHARE == 144 + 8 * sizeof(void *), "published size");
 _Static_assert(SIZE_BEFORE_GAP_MEASURE == 136 + 8 * sizeof(void *), "published size");
 
@@ -33,7 +35,7 @@ static const vbss_session_config defaults = {
     .lost_share = 0.02,
 };
 static const uint32_t sizes[] = {SIZE_BEFORE_GAP_MEASURE, SIZE_BEFORE_LOST_SHARE,
-                                 sizeof(vbss_session_config), 0};
+                                 SIZE_BEFORE_EXERCISE, sizeof(vbss_session_config), 0};
 static const vbss_layout layout = {"vbss_session_config", &defaults, sizes};
 
 vbss_result vbss_session_config_init(vbss_session_config *config, uint32_t struct_size)
@@ -68,6 +70,8 @@ vbss_result vbss_session_read_config(vbss_context *context, const vbss_session_c
         {"coaching", own->coaching, 0.0, 1.0},
         {"gap_measure", own->gap_measure, VBSS_SESSION_GAP_LIPS, VBSS_SESSION_GAP_EDGES},
         {"lost_share", own->lost_share, 0.0, 1.0},
+        {"exercise", own->exercise, VBSS_SESSION_EXERCISE_NONE, VBSS_SESSION_EXERCISE_COUNT - 1},
+        {"reserved", own->reserved, 0.0, 0.0},
     };
     for (size_t i = 0; i < sizeof ranges / sizeof ranges[0]; i++) {
         VBSS_TRY(vbss_check_range(context, ranges[i].value, ranges[i].low, ranges[i].high,

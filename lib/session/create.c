@@ -132,6 +132,9 @@ vbss_result vbss_session_create(vbss_scene *scene, const vbss_session_config *co
         return result;
     }
     result = vbss_session_record_snapshot(slot, own.record);
+    if (result == VBSS_OK && own.exercise != VBSS_SESSION_EXERCISE_NONE && own.replay != NULL) {
+        result = vbss_session_seek_step(slot, s, 0); /* the log has the start of the exercise */
+    }
     if (result != VBSS_OK) {
         (void)vbss_session_destroy((vbss_session *)slot);
         return result;

@@ -252,4 +252,5 @@ void vbss_session_update_progress(session_object *s, const session_observation *
     }
     vbss_session_update_lost_time(s);
     update_phase(s);
+    vbss_session_update_exercise(s, observed);
 }

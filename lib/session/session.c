@@ -28,6 +28,7 @@ vbss_result vbss_session_allocate(vbss_context *context, const vbss_session_conf
     s->thread = config->thread;
     s->last_holder = VBSS_METRICS_TOOL_NONE;
     s->assistance.set = vbss_session_default_assistance();
+    vbss_session_reset_exercise(s);
     const vbss_array events = event_array(s);
     vbss_result result = vbss_allocate_arrays(context, &events, 1, "events of a session");
     if (result != VBSS_OK) {

@@ -18,6 +18,9 @@
  * assist.c keeps the aids that a host has switched on. assist_input.c changes the input of a hand before it
  * becomes the target of its tool.
  *
+ * If config.exercise is set, exercise.c measures the exercise and gives its outcome, which ends the task.
+ * begin.c begins a task at a saved place.
+ *
  * config.c has the configuration, session.c the handle, snapshot.c the saved state. create.c and
  * api.c have the exported functions. seek.c goes to a step of a log. A file calls only files that
  * do not call it back.
@@ -31,6 +34,7 @@
 
 #include <vblast_ss/session_assistance.h>
 #include <vblast_ss/session_coaching.h>
+#include <vblast_ss/session_exercise.h>
 
 #include "record/record.h"
 #include "scene/api/inspect.h"
@@ -193,6 +197,19 @@ typedef struct session_assistance {
     session_aided_hand hands[SESSION_HANDS];
 } session_assistance;
 
+/* ---- exercises */
+
+/* Measures of an exercise; capacity, chosen. */
+enum { SESSION_MAX_MEASURES = 6 };
+
+typedef struct session_exercise {
+    uint32_t outcome; /* VBSS_SESSION_OUTCOME_ */
+    uint32_t known;   /* bit per measure: its value is known */
+    double values[SESSION_MAX_MEASURES];
+    double rest_height;   /* of the needle's middle in the first step, along up, m */
+    double reached_since; /* session time since which the goal is reached, s; negative: it is not */
+} session_exercise;
+
 /* Input that the host has passed for the next step; not saved. */
 typedef struct session_given_input {
     bool is_given;
@@ -205,6 +222,7 @@ typedef struct session_object {
     vbss_session_config config;
 
     bool takes_over; /* in the next step the handles have to take over the jaws; not saved */
+    bool begins_at;  /* a state of any exercise may be read, and its exercise is not; not saved */
     /* State. Snapshots save all of it but h. */
     uint64_t steps, scene_steps; /* steps of the session; those of the scene after the last one */
     double time, h;              /* since the needle appeared, s; length of the last step, s */
@@ -247,6 +265,7 @@ typedef struct session_object {
     uint64_t coach_event_count;
     session_coach coach; /* used only with config.coaching */
     session_assistance assistance;
+    session_exercise exercise; /* used only with config.exercise */
     session_given_input given[SESSION_HANDS];
 
     /* Rebuilt in each step. */
@@ -385,7 +404,7 @@ void vbss_session_update_progress(session_object *s, const session_observation *
  * from it for `dwell`, s. Returns true if the value has changed. */
 bool vbss_session_debounce(session_debounced_value *debounced, uint32_t candidate, double now,
                            double dwell);
-/* Whether the task is done or has failed. */
+/* Whether the task is done or has failed, or the exercise has its outcome. */
 bool vbss_session_is_over(const session_object *s);
 /* The observed hole with this id; NULL: there is none, or the id is 0. */
 const session_hole_observation *vbss_session_find_hole(const session_observation *observed,
@@ -452,6 +471,11 @@ uint32_t vbss_session_mark_of(const session_object *s, uint32_t hand, uint32_t s
 void vbss_session_describe_goal(const session_object *s, const session_observation *observed,
                                 session_goal goal, vbss_session_coaching *coaching);
 
+/* Point of the needle at an arc length from its tip, m. The needle must be in the scene. */
+vec3 vbss_session_needle_point(const session_object *s, double arc_length);
+/* Length of the needle, m. */
+double vbss_session_needle_length(const session_object *s);
+
 /* ---- coach_goal.c */
 
 /* The goal that the facts of the last step ask for. */
@@ -469,8 +493,9 @@ bool vbss_session_is_mendable(const session_object *s, vbss_session_mistake mist
 
 /* ---- coach_words.c */
 
-/* A constant string, never NULL. `is_over`: WIND goes over the top of the other tool first. */
-const char *vbss_session_goal_sentence(session_goal goal, uint32_t number, bool is_over);
+/* A constant string, never NULL. WIND: `wraps`, 1 or 2; `is_over`: over the top of the other tool first. */
+const char *vbss_session_goal_sentence(session_goal goal, uint32_t number, uint32_t wraps,
+                                       bool is_over);
 
 /* ---- coach.c */
 
@@ -480,6 +505,21 @@ void vbss_session_update_coach(session_object *s, const session_observation *obs
 void vbss_session_fill_coaching(const session_object *s, vbss_session_coaching *coaching);
 /* Visits the state of the coach. */
 void vbss_session_visit_coach(vbss_stream *stream, session_object *s);
+
+/* ---- exercise.c */
+
+/* Before the first step. */
+void vbss_session_reset_exercise(session_object *s);
+/* Measures the exercise after a step, if the session has one, and emits its outcome. */
+void vbss_session_update_exercise(session_object *s, const session_observation *observed);
+/* Copies exercise and measure to the struct of a host. VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE;
+ * VBSS_ERROR_NOT_FOUND if there is no such measure. */
+vbss_result vbss_session_write_exercise(const session_object *s, vbss_session_exercise_state *out,
+                                        uint32_t struct_size);
+vbss_result vbss_session_write_measure(const session_object *s, uint32_t index,
+                                       vbss_session_measure *out, uint32_t struct_size);
+/* Visits the state of the exercise. */
+void vbss_session_visit_exercise(vbss_stream *stream, session_exercise *exercise);
 
 /* ---- metrics_feed.c */
 

@@ -257,6 +257,26 @@ static void visit_assistance(vbss_stream *stream, session_object *s)
     }
 }
 
+/* A session without an exercise has the bytes of earlier versions. */
+static void visit_exercise(vbss_stream *stream, session_object *s)
+{
+    const uint32_t code = VBSS_CODE('E', 'X', 'E', 'R');
+    bool is_read = stream->mode == VBSS_STREAM_READ;
+    bool is_there = is_read && s->begins_at ? vbss_stream_has_section(stream, code)
+                                            : s->config.exercise != VBSS_SESSION_EXERCISE_NONE;
+    session_exercise read = s->exercise;
+    if (!is_there) {
+        return;
+    }
+    vbss_section outer = vbss_stream_open(stream, code, 1);
+    uint32_t exercise = (uint32_t)s->config.exercise;
+    vbss_stream_u32(stream, 98, &exercise, 1);
+    refuse(stream, !s->begins_at && exercise != (uint32_t)s->config.exercise);
+    vbss_session_visit_exercise(stream, &read);
+    vbss_stream_close(stream, outer);
+    s->exercise = s->begins_at ? s->exercise : read;
+}
+
 static void visit_scene(vbss_stream *stream, session_object *s)
 {
     scene_info scene;
@@ -285,6 +305,7 @@ void vbss_session_serialise(vbss_stream *stream, void *object)
     visit_events(stream, s);
     visit_components(stream, s);
     visit_assistance(stream, s);
+    visit_exercise(stream, s);
     if (s->config.coaching != 0) {
         vbss_section outer = vbss_stream_open(stream, VBSS_CODE('C', 'O', 'A', 'C'), 1);
         vbss_session_visit_coach(stream, s);

@@ -17,7 +17,7 @@ bool vbss_session_debounce(session_debounced_value *debounced, uint32_t candidat
 
 bool vbss_session_is_over(const session_object *s)
 {
-    return s->phase >= VBSS_SESSION_PHASE_DONE;
+    return s->phase >= VBSS_SESSION_PHASE_DONE || s->exercise.outcome != VBSS_SESSION_OUTCOME_NONE;
 }
 
 bool vbss_session_is_threaded(const session_object *s)

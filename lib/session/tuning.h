@@ -122,4 +122,33 @@
  * Unit: 1, of the whole opening. Origin: chosen: above the tremor of a grip. Test: session.assistance. */
 #define SESSION_HOLD_OPENING VBSS_TUNE(SESSION_HOLD_OPENING, 0.25)
 
+/* ---- Exercises (exercise.c) */
+
+/* Where a needle may be held, from its tip.
+ * Unit: 1, relative to its length. Origin: published, half to two thirds; 1 mm of a needle of 33 mm on either side. Test:
+ * session.exercises. */
+#define SESSION_GRASP_LOW VBSS_TUNE(SESSION_GRASP_LOW, 0.47)
+#define SESSION_GRASP_HIGH VBSS_TUNE(SESSION_GRASP_HIGH, 0.7)
+/* Largest angle of jaws to the needle's normal, and of the needle to the wall's normal; courses ask for 0.
+ * Unit: rad. Origin: chosen: 30 degrees. Test: session.exercises. */
+#define SESSION_SQUARE_ANGLE VBSS_TUNE(SESSION_SQUARE_ANGLE, 0.5235987755982988)
+/* A needle is taken up when it is so far above its place, for so long.
+ * Unit: m, s. Origin: chosen: clear of the floor, longer than a slip. Test: session.exercises. */
+#define SESSION_LIFT VBSS_TUNE(SESSION_LIFT, 0.01)
+#define SESSION_HELD_TIME VBSS_TUNE(SESSION_HELD_TIME, 1.0)
+/* Length of needle beyond the wall that has passed the mark.
+ * Unit: m. Origin: chosen: five walls. Test: session.exercises. */
+#define SESSION_PASSED_LENGTH VBSS_TUNE(SESSION_PASSED_LENGTH, 5e-3)
+/* Largest gap along the slit under a throw.
+ * Unit: m. Origin: chosen: the default of seat_release. Test: session.exercises. */
+#define SESSION_SEATED_GAP VBSS_TUNE(SESSION_SEATED_GAP, 1e-3)
+/* Tail that is left by a cut.
+ * Unit: m. Origin: published range 3 to 5 mm, not verified; wider by the error of a mouse. Test: session.exercises. */
+#define SESSION_CUT_LOW VBSS_TUNE(SESSION_CUT_LOW, 2e-3)
+#define SESSION_CUT_HIGH VBSS_TUNE(SESSION_CUT_HIGH, 8e-3)
+/* Time of an exercise: of the needle and of cuts; of a mark and of throws. Experts tie a whole knot in 45 s.
+ * Unit: s. Origin: chosen. Test: session.exercises. */
+#define SESSION_NEEDLE_TIME VBSS_TUNE(SESSION_NEEDLE_TIME, 60.0)
+#define SESSION_THROW_TIME VBSS_TUNE(SESSION_THROW_TIME, 120.0)
+
 #endif

@@ -149,6 +149,42 @@ def test_a_coach_gives_goals_and_names_mistakes(context):
         Rig(context).session().coaching
 
 
+def test_an_exercise_has_measures_and_an_outcome(context):
+    session = Rig(context).session(exercise=vb.SessionExercise.TAKE_NEEDLE, coaching=1)
+    for _ in range(3):
+        session.step()
+    exercise = session.exercise
+    assert exercise.name == "take_needle" and exercise.sentence.startswith("Take the needle")
+    assert exercise.outcome is vb.SessionOutcome.NONE and exercise.time == pytest.approx(2e-3)
+    assert session.exercise_text(vb.SessionExercise.TAKE_NEEDLE) == (exercise.name, exercise.sentence)
+    kinds = [measure.kind for measure in session.measures]
+    assert kinds == [vb.SessionMeasureKind.GRASP_SHARE, vb.SessionMeasureKind.GRASP_ANGLE, vb.SessionMeasureKind.DROPS,
+                     vb.SessionMeasureKind.TIME]
+    assert [measure.is_known for measure in session.measures] == [0, 0, 1, 1] and exercise.missed == 3
+    for _ in range(610):
+        session.step(0.1)  # nobody takes it
+    assert session.exercise.outcome is vb.SessionOutcome.FAILED and session.exercise.time == pytest.approx(60.0, abs=0.11)
+    assert [event.kind for event in session.events].count(vb.SessionEventKind.EXERCISE) == 1
+    with pytest.raises(vb.errors.OutOfRangeError):
+        Rig(context).session(exercise=7)
+
+
+def test_a_session_begins_where_another_one_was(context):
+    rig = Rig(context)
+    first = rig.session(metrics=vb.Metrics(context, duration=10.0))
+    for _ in range(20):
+        first.step()
+    state = first.save()
+    second = rig.session(metrics=vb.Metrics(context, duration=10.0), exercise=vb.SessionExercise.PASS_MARK)
+    second.begin_at(state)
+    status = second.status
+    assert status.phase is vb.SessionPhase.LOADING and status.steps == 0 and status.event_count == 0
+    second.step()
+    assert second.status.time == 0.0 and second.events[0].kind is vb.SessionEventKind.APPEARED
+    with pytest.raises(vb.errors.WrongStateError):
+        second.begin_at(state)
+
+
 def test_an_assisted_task_gets_no_score(context):
     rig = Rig(context)
     metrics = vb.Metrics(context, duration=10.0)

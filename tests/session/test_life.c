@@ -49,6 +49,7 @@ static void config_size_protocol(void **state)
     static const uint32_t sizes[] = {
         offsetof(vbss_session_config, gap_measure), /* before the slit's lips */
         offsetof(vbss_session_config, lost_share),  /* before lost time */
+        offsetof(vbss_session_config, exercise),    /* before exercises */
         sizeof(vbss_session_config), 0};
     const harness_config config = {sizes, init_config, create_and_destroy};
     harness_config_protocol(&config);

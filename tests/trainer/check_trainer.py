@@ -220,6 +220,25 @@ def surgeon(b, program):
     assert "old poses 0, refused 0" in text and "a hole beside" not in text, text
 
 
+def exercise(b, program):
+    """The surgeon's hands take the needle as courses ask: the exercise is passed, and counted in the file of progress. A file
+    that is none is kept and told."""
+    log, progress = str(b.folder / "take.vbss"), b.folder / "progress.txt"
+    progress.unlink(missing_ok=True)
+    subprocess.run([program, "-s", "0", "-t", "3", "-l", log], stdout=subprocess.DEVNULL)  # 1: he has not done
+    words = ["--replay", log, "--simulated", "--exercise", "take_needle", "--progress", str(progress)]
+    text = b.run(GOOD, *words)
+    assert "exercise take_needle: PASSED" in text and "progress: 1 of 1 passed, 1 without aids" in text, text
+    assert progress.read_text().splitlines()[2].startswith("take_needle 1 1 1 "), progress.read_text()
+    text = b.run(GOOD, *words, "--seconds", "1")
+    assert "exercise take_needle: not ended" in text and len(progress.read_text().splitlines()) == 3, text
+    progress.write_text("a letter\n")
+    text = b.run(FAULTY, *words)
+    assert "this is no file of progress" in text and progress.read_text() == "a letter\n", text
+    b.run(WRONG_WORD, "--mock", "--exercise", "dance")
+    b.run(WRONG_WORD, "--mock", "--progress", str(progress))
+
+
 def surgeon_ties(b, log):
     """On to the first throw: in and out of the drain with the thread, the needle from hand to hand and back, a throw tied. Hands
     that are led do not see, so it need not be the surgeon's."""
@@ -261,7 +280,7 @@ def interrupted(b, _):
 def main():
     subject, trainer, arms, lines, folder, *log = sys.argv[1:]
     subjects = {f.__name__: f for f in (calibrated, pulses, task, faults, constant, clocks, random_faults, refused, replayed, real_time, interrupted,
-                                        surgeon, surgeon_ties, surgeon_faults)}
+                                        exercise, surgeon, surgeon_ties, surgeon_faults)}
     subjects[subject](Bench(trainer, arms, lines, folder), log[0] if log else None)
 
 

@@ -51,6 +51,9 @@ static void devices_combine_freely(void **state)
     assert_string_equal(o.faults[0].name, "nan");
     assert_true(o.faults[0].from == 1.5 && o.faults[0].until == 1.75);
     assert_true(o.core_speed < 0.0); /* measured */
+    expect_taken("--mock --exercise cut --progress p.txt", &o);
+    assert_string_equal(o.exercise, "cut");
+    assert_string_equal(o.progress, "p.txt");
     expect_taken("--mock --core-speed 250", &o);
     assert_true(o.core_speed == 250.0);
     expect_taken("--mock --core-speed off", &o);

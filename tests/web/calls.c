@@ -21,6 +21,12 @@ static int call(const char *word, const double v[NUMBERS])
     if (strcmp(word, "begin") == 0) {
         return page_begin(first, (uint32_t)v[1]);
     }
+    if (strcmp(word, "exercise") == 0) {
+        return page_exercise(first);
+    }
+    if (strcmp(word, "aids") == 0) {
+        return page_set_aids((uint32_t)v[0]);
+    }
     if (strcmp(word, "step") == 0) {
         return page_step(first);
     }

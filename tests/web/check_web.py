@@ -40,7 +40,7 @@ def bundle(esbuild, source, folder):
 
 
 def check_parts(esbuild, modules, folder):
-    for part in ("step_clock", "resolution", "tracked_hand", "trocar", "mirror", "pose"):
+    for part in ("step_clock", "resolution", "tracked_hand", "trocar", "mirror", "pose", "progress"):
         print(run(node(), HERE / f"check_{part}.mjs", bundle(esbuild, modules / f"{part}.js", folder)).strip())
     print(colours.check((modules / "style.css").read_text(), (modules / "panel.js").read_text()))
     print(colours.check_tension((modules.parent.parent / "viewer/materials.h").read_text()))

@@ -59,6 +59,15 @@ class Page:
     def key(self, kind, key):
         self.browser.ask("Input.dispatchKeyEvent", type=kind, key=key, code=key)
 
+    def press_key(self, key, text=""):
+        """As a keyboard does it: a character where the key has one."""
+        numbers = {"Tab": 9, "Enter": 13, " ": 32}
+        code = "Space" if key == " " else key
+        self.browser.ask("Input.dispatchKeyEvent", type="keyDown", key=key, code=code, windowsVirtualKeyCode=numbers[key],
+                         nativeVirtualKeyCode=numbers[key], text=text)
+        self.browser.ask("Input.dispatchKeyEvent", type="keyUp", key=key, code=code, windowsVirtualKeyCode=numbers[key],
+                         nativeVirtualKeyCode=numbers[key])
+
     def start(self, scene):
         self.click(f'[data-scene="{scene}"]')
         self.until("suturing.shown.state.steps > 10")
@@ -298,6 +307,45 @@ def check_played(page, folder):
     print(f"played from the file: {length} steps, sought by the time line, and the hashes at the end are those of the session")
 
 
+def check_exercises(page, folder):
+    """An exercise within the task begins where the task is so far; aids are switched by the keyboard alone, and are in the
+    session; an outcome is counted, and a damaged count is kept."""
+    page.run("(localStorage.clear(), suturing.showProgress())")
+    page.click("#choose")
+    page.click('[data-name="square_throw"]')
+    page.until("suturing.shown.state.exercise && suturing.shown.state.exercise.name === 'square_throw' && suturing.shown.state.steps > 20")
+    state = page.state()
+    assert state["task"]["throws"] == 1 and state["task"]["seated"] == 1 and state["task"]["transfers"] == 1, state["task"]
+    assert state["aids"] == 0 and state["tools"][1 - hands.RIGHT]["holds"] == "the needle", state
+    page.run("document.getElementById('aids-button').focus()")
+    page.press_key("Enter", "\r")
+    assert not page.run("document.getElementById('aids').hidden") and page.run("document.getElementById('aids-button').ariaExpanded") == "true"
+    page.press_key("Tab")  # past the help to the first box, and on
+    while page.run("document.activeElement.dataset.aid") != "8":
+        page.press_key("Tab")
+    page.press_key(" ", " ")
+    page.until("suturing.shown.state.aids === 8")
+    assert not page.tool()["clutched"], "space in a box is no clutch"
+    page.picture(folder / "aids.png")
+    page.press_key(" ", " ")
+    page.until("suturing.shown.state.aids === 0")
+    assert page.state()["aidsUsed"] == 8
+    page.click("#choose")
+    page.click('[data-name="take_needle"]')
+    page.until("suturing.shown.state.exercise.name === 'take_needle' && suturing.shown.state.steps > 5")
+    assert page.state()["aidsUsed"] == 0
+    words = page.run("suturing.note({ name: 'take_needle', time: 12.5 }, true)")
+    assert words == "1 of 1 passed, 1 without aids", words
+    assert page.run("document.querySelector('[data-name=take_needle] span').textContent") == "1 of 1 passed"
+    page.run("localStorage.setItem('suturing-progress', 'a letter')")
+    assert "damaged" in page.run("suturing.note({ name: 'take_needle', time: 12.5 }, true)")
+    assert page.run("localStorage.getItem('suturing-progress')") == "a letter"
+    page.run("localStorage.clear()")
+    page.click("#choose")
+    page.picture(folder / "exercises.png")
+    print("a square throw begins with the first one seated; aids by the keyboard; progress is counted")
+
+
 def complaints_of(chromium, page):
     """What it said, and what it asked for beside itself and its own worker."""
     asked = [url for url in chromium.requests if url != page.as_uri() and not url.startswith("blob:")]
@@ -325,5 +373,6 @@ def check_desk(page_file, folder, calls_natively, replay):
         recorded = page.run("suturing.hashes")
         shared = share(page, folder, "shared")
         check_played(page, folder)
+        check_exercises(page, folder)
         complaints = complaints_of(chromium, page_file)
     return complaints + check_shared(shared, folder, log, recorded)

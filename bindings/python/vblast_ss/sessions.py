@@ -4,12 +4,14 @@ from __future__ import annotations
 import ctypes
 from typing import Any, Callable, Optional, Sequence
 
-from ._api.session import (SessionAidBits, SessionEvent, SessionEventKind, SessionFailure, SessionPhase, SessionStage, SessionStatus,
+from ._api.session import (SessionAidBits, SessionEvent, SessionEventKind, SessionExercise, SessionFailure, SessionPhase, SessionStage, SessionStatus,
                            vbss_session, vbss_session_config, vbss_session_event, vbss_session_event_fn,
                            vbss_session_status)
 from ._api.session_assistance import vbss_session_assistance, vbss_session_hand
 from ._api.session_coaching import (SessionCoaching, SessionGeometryBits, SessionGoal, SessionMistake,
                                     vbss_session_coaching)
+from ._api.session_exercise import (SessionExerciseState, SessionMeasure, SessionMeasureKind, SessionOutcome,
+                                    vbss_session_exercise_state, vbss_session_measure)
 from ._library import lib
 from ._objects import Configured, Object, Saved, again, created
 from ._values import initialised, integer, value_of
@@ -19,8 +21,9 @@ from .metrics import Metrics
 from .records import Record, Replay
 from .scene import Scene
 
-__all__ = ["Session", "SessionAidBits", "SessionCoaching", "SessionEvent", "SessionEventKind", "SessionFailure", "SessionGeometryBits",
-           "SessionGoal", "SessionMistake", "SessionPhase", "SessionStage", "SessionStatus"]
+__all__ = ["Session", "SessionAidBits", "SessionCoaching", "SessionEvent", "SessionEventKind", "SessionExercise", "SessionExerciseState",
+           "SessionFailure", "SessionGeometryBits", "SessionGoal", "SessionMeasure", "SessionMeasureKind", "SessionMistake",
+           "SessionPhase", "SessionStage", "SessionStatus", "SessionOutcome"]
 
 
 def _handle_of(part: Any, kind: type[Object], name: str) -> Any:
@@ -84,6 +87,13 @@ class Session(Configured, Saved):
         """To after that step of the log that is followed, from the newest states in it; listeners hear nothing of the way."""
         self._call(lib.vbss_session_seek, integer(step, ctypes.c_uint64, "step"))
 
+    def begin_at(self, state: Any) -> None:
+        """Begins the task at the place that another session had reached, before the first step: the facts of its save()
+        stay, and clock, events, metrics and exercise begin. Restore the scene first; set_record() comes after."""
+        view = memoryview(state).cast("B")
+        buffer = (ctypes.c_uint8 * len(view)).from_buffer_copy(view)
+        self._call(lib.vbss_session_begin_at, buffer, len(view))
+
     def set_record(self, record: Optional[Record]) -> None:
         """Writes to this record from now on; a replay is left."""
         self._call(lib.vbss_session_set_record, _handle_of(record, Record, "record"))
@@ -132,6 +142,22 @@ class Session(Configured, Saved):
                              {"position": position, "orientation": orientation, "opening": opening,
                               "is_origin": int(is_origin)}, "the input of a hand")
         self._call(lib.vbss_session_move_hand, integer(tool, ctypes.c_int32, "tool"), ctypes.byref(struct))
+
+    @property
+    def exercise(self) -> SessionExerciseState:
+        """The exercise that the session was made with (exercise=SessionExercise...), and its outcome."""
+        return self._read("get_exercise", SessionExerciseState, vbss_session_exercise_state)
+
+    @property
+    def measures(self) -> list[SessionMeasure]:
+        """The measures of the exercise with their pass marks; none without an exercise."""
+        return [self._read("get_measure", SessionMeasure, vbss_session_measure, number)
+                for number in range(self.exercise.measure_count)]
+
+    @staticmethod
+    def exercise_text(exercise: int) -> tuple[str, str]:
+        """Name of an exercise, and its goal as a sentence."""
+        return (lib.vbss_session_exercise_name(exercise).decode(), lib.vbss_session_exercise_string(exercise).decode())
 
     @staticmethod
     def mistake_text(mistake: int) -> tuple[str, str]:

@@ -39,8 +39,8 @@ export class Captions {
       `tail ${task.tail.toFixed(1)} mm${task.tailSet ? ', set' : ''}`);
     set('counts', `throws ${task.throws}, seated ${task.seated}, hands changed ${task.transfers}, tails cut ${task.cut}`);
     set('score', `score ${task.score.toFixed(0)}, penalties ${task.penalties.toFixed(0)}, drops ${task.drops}`);
-    if (task.number >= DONE && !this.reported) this.report(task);
-    if (task.number < DONE && this.reported) this.reported = !($('report').hidden = true); // a time line that went back
+    if (task.number >= DONE && !this.reported && !this.isExercise) this.report(task);
+    if (task.number < DONE && this.reported && !this.isExercise) this.reported = !($('report').hidden = true); // a time line that went back
   }
 
   // What to do next, how far that is, and what went wrong.
@@ -49,6 +49,20 @@ export class Captions {
     const turns = coach && coach.turns > 0.1 ? ` ${coach.turns.toFixed(1)} turns` : '';
     set('goal', coach ? `${coach.goal}${far}${turns}` : '');
     set('mistake', coach && coach.mistake ? `${coach.mistake} ${coach.remedy}` : '');
+  }
+
+  // The goal of an exercise, then what came of it; `note` counts an outcome and says how often it was passed.
+  putExercise(exercise, note) {
+    this.isExercise = Boolean(exercise);
+    if (!exercise) return;
+    set('score', exercise.goal);
+    if (exercise.outcome === 0 || this.reported) return;
+    this.reported = true;
+    const passed = exercise.outcome === 1;
+    set('result', passed ? 'Passed' : 'Not passed');
+    const rows = exercise.measures.map(({ words, met }) => [met ? 'good' : 'missed', words]);
+    if (note) rows.push(['so far', note(exercise, passed)]);
+    this.putRows(rows);
   }
 
   // Of a scene without a task.
@@ -76,6 +90,10 @@ export class Captions {
       ['tail', `${task.tail.toFixed(1)} mm`], ['throws seated', `${task.seated} of 3`], ['needle dropped', `${task.drops} times`]];
     if (this.resolution) rows.push(['segments of the thread', String(this.resolution.segments)]);
     if (task.lost > 0) rows.push(['time that was left out', `${task.lost.toFixed(2)} s`]);
+    this.putRows(rows);
+  }
+
+  putRows(rows) {
     $('facts').replaceChildren(...rows.flatMap(([name, value]) => {
       const [dt, dd] = [document.createElement('dt'), document.createElement('dd')];
       dt.textContent = name;
@@ -119,11 +137,13 @@ export class Captions {
     return Object.entries(words).filter(([, text]) => text !== '').map(([kind, text]) => ({ kind, words: text }));
   }
 
-  show({ state, clock }, side, isTaken, now) {
+  show({ state, clock }, side, isTaken, now, note) {
     for (const event of state.events) if (!COACH.includes(event.kind)) this.say(event.words, now);
     this.putCoach(state.coach);
+    this.isExercise = Boolean(state.exercise);
     if (state.task) this.putTask(state.task);
     else this.putKnot(state.knot, now);
+    this.putExercise(state.exercise, state.replay ? null : note);
     this.putTool(state.tools[side], side, isTaken, clock.paused, Boolean(state.replay));
     this.putClock(clock);
     this.said = this.said.filter(caption => caption.until > now);

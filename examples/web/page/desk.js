@@ -126,7 +126,7 @@ export class Desk {
     const key = event.key.length === 1 ? event.key.toLowerCase() : event.key;
     const isIn = kind => event.target.closest && event.target.closest(kind);
     if (isIn('input[type=number]')) return; // digits and arrows are its own
-    const inButton = isIn('button');
+    const inButton = isIn('button, input[type=checkbox]');
     if (event.altKey || event.ctrlKey || event.metaKey || (inButton && (key === ' ' || key === 'Enter' || key === 'Tab'))) return;
     if (key === 'Tab' && !this.taken) return; // from button to button, as on any page
     if (!event.repeat) {

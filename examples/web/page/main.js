@@ -5,13 +5,14 @@ import { Desk } from './desk.js';
 import { Headset } from './headset.js';
 import { mirrorMessage, mirrorPicture, mirrorState } from './mirror.js';
 import { OwnPage } from './own_page.js';
+import { Progress } from './progress.js';
 import { Renderer, readView } from './renderer.js';
 import { Settings } from './settings.js';
 import { Timeline } from './timeline.js';
 
 const $ = id => document.getElementById(id);
 const MAX_PIXELS = 2; // a unit of the screen
-const BY_HANDS = ['move', 'pull', 'close', 'clutch', 'exchange', 'track', 'pose'];
+const BY_HANDS = ['move', 'pull', 'close', 'clutch', 'exchange', 'track', 'pose', 'aids'];
 
 function download(blob, name) {
   const link = document.createElement('a');
@@ -36,6 +37,7 @@ class Page {
     this.buffers = {};
     this.frames = 0;
     this.asked = this.mirrored = false;
+    this.progress = new Progress(window.localStorage);
     this.settings = new Settings($, () => this.restyle());
     this.restyle();
     this.timeline = new Timeline($, step => this.send({ name: 'seek', step }));
@@ -77,7 +79,8 @@ class Page {
   hearReady(ready) {
     this.loaded = ready.milliseconds;
     $('loading').hidden = true;
-    $('scenes').hidden = false;
+    $('scenes').hidden = $('exercises').hidden = false;
+    this.showProgress();
     if (this.own.hasSession) this.own.session().then(bytes => this.playBytes(bytes), error => this.fail(error.message));
     else this.begin();
   }
@@ -118,6 +121,7 @@ class Page {
   begin() {
     this.renew();
     if (this.log) this.send({ name: 'replay', bytes: this.log });
+    else if (this.exercise) this.send({ name: 'exercise', exercise: this.exercise });
     else this.send({ name: 'begin', fits: true, ...this.scene });
   }
 
@@ -128,6 +132,39 @@ class Page {
     $('save').hidden = Boolean(this.log);
     $('share').textContent = this.log ? 'share' : 'end and share';
     this.mirrored = this.settings.leftHanded;
+    for (const box of this.aidBoxes()) box.checked = false;
+  }
+
+  // ---- exercises and aids
+
+  aidBoxes() {
+    return $('aids').querySelectorAll('input');
+  }
+
+  sendAids() {
+    const aids = [...this.aidBoxes()].reduce((sum, box) => sum + (box.checked ? Number(box.dataset.aid) : 0), 0);
+    this.send({ name: 'aids', aids });
+  }
+
+  showProgress() {
+    const rows = this.progress.read();
+    for (const button of $('exercises').querySelectorAll('button')) {
+      const row = rows && rows[button.dataset.name];
+      button.querySelector('span').textContent = rows === null ? 'progress is damaged' : row ? `${row.passed} of ${row.attempts} passed` : '';
+    }
+  }
+
+  // Words for the outcome of an exercise, which is counted.
+  note({ name, time }, passed) {
+    const words = this.progress.note({ name, time, passed, aided: this.arrivedState.aidsUsed !== 0 });
+    this.showProgress();
+    return words;
+  }
+
+  practise(exercise) {
+    this.exercise = exercise;
+    this.log = null;
+    this.go();
   }
 
   restyle() {
@@ -151,6 +188,7 @@ class Page {
 
   choose(scene) {
     this.scene.scene = scene;
+    this.exercise = 0;
     this.log = null;
     this.go();
   }
@@ -185,7 +223,14 @@ class Page {
     for (const button of $('scenes').querySelectorAll('button')) {
       button.addEventListener('click', () => this.choose(Number(button.dataset.scene)));
     }
-    const clicks = { pause: () => this.pause(!this.paused), again: () => this.begin(), 'help-button': () => this.help(),
+    for (const button of $('exercises').querySelectorAll('button')) {
+      button.addEventListener('click', () => this.practise(Number(button.dataset.exercise)));
+    }
+    for (const box of this.aidBoxes()) box.addEventListener('change', () => this.sendAids());
+    const clicks = { 'aids-button': () => {
+      $('aids').hidden = !$('aids').hidden;
+      $('aids-button').setAttribute('aria-expanded', String(!$('aids').hidden));
+    }, pause: () => this.pause(!this.paused), again: () => this.begin(), 'help-button': () => this.help(),
       'close-report': () => { $('report').hidden = true; }, save: () => this.send({ name: 'log', end: true }), share: () => this.share(),
       headset: () => this.headset.enter().catch(error => this.fail(error.message)),
       choose: () => {
@@ -221,7 +266,8 @@ class Page {
     this.renderer.upload(frame.arrays);
     for (const [name, array] of Object.entries(frame.arrays)) this.buffers[name] = array.buffer;
     this.timeline.show(frame.state);
-    this.captions.show(frame, this.desk.side, this.desk.taken, now);
+    this.arrivedState = frame.state;
+    this.captions.show(frame, this.desk.side, this.desk.taken, now, (exercise, passed) => this.note(exercise, passed));
     const view = readView(frame.view);
     if (this.mirrored) Object.assign(view, { seen: mirrorPicture(view.seen), target: view.target.map((n, i) => (i === 0 ? -n : n)) });
     this.shown = { ...frame, view };

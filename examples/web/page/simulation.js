@@ -34,11 +34,21 @@ export class Simulation {
     this.check(this.calls.page_begin(scene, seed), 'the scene cannot be made');
   }
 
+  put(bytes) {
+    const at = this.calls.page_room(bytes.length);
+    if (at === 0) throw new Error('the file is too large');
+    new Uint8Array(this.calls.memory.buffer, at, bytes.length).set(bytes);
+  }
+
+  // One skill; `starts`: the states at which exercises start.
+  exercise(number, starts) {
+    this.put(starts);
+    this.check(this.calls.page_exercise(number), 'the exercise cannot begin');
+  }
+
   // A log as it was saved, in place of hands.
   replay(bytes) {
-    const at = this.calls.page_room(bytes.length);
-    if (at === 0) throw new Error('the log is too large');
-    new Uint8Array(this.calls.memory.buffer, at, bytes.length).set(bytes);
+    this.put(bytes);
     this.check(this.calls.page_replay(), 'this is no log that can be played here');
   }
 

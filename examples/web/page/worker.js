@@ -1,6 +1,7 @@
 // Runs the session: steps of a millisecond against the clock, in slices, between which messages are heard. The page asks for
 // each picture; its buffers go to and fro.
 import packed from 'suturing-module';
+import packedStarts from 'suturing-starts';
 import { unpack } from './packing.js';
 import { FINEST, choose } from './resolution.js';
 import { StepClock } from './step_clock.js';
@@ -13,6 +14,7 @@ const channel = new MessageChannel(); // to come again at once; a timer waits fo
 let clock = new StepClock();
 export let simulation = null; // for the worker of tests
 let resolution = null;
+let starts = null; // of exercises, as bytes
 let paused = true, ended = false, asked = false, stepTime = null;
 let left = Infinity; // steps of a log that is played
 
@@ -70,6 +72,13 @@ export const heard = {
     const own = fits && scene === FINEST ? resolution : null;
     simulation.begin(own ? own.scene : scene, seed);
     begin(own);
+  },
+  exercise({ exercise }) {
+    simulation.exercise(exercise, starts);
+    begin();
+  },
+  aids({ aids }) {
+    simulation.check(simulation.calls.page_set_aids(aids), 'aids');
   },
   // A saved log, as bytes: it is played from its beginning.
   replay({ bytes }) {
@@ -141,6 +150,7 @@ function guard(work) {
 async function load() {
   const begin = performance.now();
   simulation = await Simulation.load(await unpack(packed), text => console.log(text));
+  starts = await unpack(packedStarts);
   postMessage({ ready: { milliseconds: performance.now() - begin } });
 }
 

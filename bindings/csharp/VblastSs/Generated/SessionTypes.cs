@@ -152,6 +152,35 @@ namespace VblastSs
         /// off.
         /// </summary>
         Aid = 21,
+        /// <summary>
+        /// Only with `exercise`: the exercise `number` has ended; `amount` is 1 if it is passed,
+        /// and 0 if it is not (session_exercise.h).
+        /// </summary>
+        Exercise = 22,
+    }
+
+    /// <summary>
+    /// The constants of vbss_session_exercise. session_exercise.h has their starts, goals and
+    /// measures.
+    /// </summary>
+    public enum SessionExercise : int
+    {
+        /// <summary>No exercise: the whole task.</summary>
+        None = 0,
+        /// <summary>The needle is taken up.</summary>
+        TakeNeedle = 1,
+        /// <summary>The needle is pushed through the wall at a mark.</summary>
+        PassMark = 2,
+        /// <summary>A throw of one wrap is tied and seated.</summary>
+        SingleThrow = 3,
+        /// <summary>A throw of two wraps is tied and seated.</summary>
+        DoubleThrow = 4,
+        /// <summary>A throw that is square to the first one is tied and seated.</summary>
+        SquareThrow = 5,
+        /// <summary>Both tails are cut.</summary>
+        Cut = 6,
+        /// <summary>One more than the largest exercise.</summary>
+        Count = 7,
     }
 
     /// <summary>
@@ -282,6 +311,8 @@ namespace VblastSs
         internal SessionGap GapMeasure;
         internal uint Coaching;
         internal double LostShare;
+        internal SessionExercise Exercise;
+        internal uint Reserved;
     }
 
     /// <summary>
@@ -516,6 +547,17 @@ namespace VblastSs
         {
             get { return box[0].LostShare; }
             set { box[0].LostShare = value; }
+        }
+
+        /// <summary>
+        /// Exercise that the session trains in place of the whole task (session_exercise.h);
+        /// default NONE. The state of an exercise can be restored only to a session with the same
+        /// one.
+        /// </summary>
+        public SessionExercise Exercise
+        {
+            get { return box[0].Exercise; }
+            set { box[0].Exercise = value; }
         }
 
         internal SessionConfigData* Pin(Pins pins)

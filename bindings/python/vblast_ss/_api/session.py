@@ -134,6 +134,30 @@ class SessionEventKind(IntEnum):
     AID = 21
     """The aid `number`, a VBSS_SESSION_AID_ bit, was switched on: the task is assisted and gets no
     score. `amount` is 1 for the first time, then 0. Undone: the aid was switched off."""
+    EXERCISE = 22
+    """Only with `exercise`: the exercise `number` has ended; `amount` is 1 if it is passed, and 0
+    if it is not (session_exercise.h)."""
+
+
+class SessionExercise(IntEnum):
+    """The constants of vbss_session_exercise. session_exercise.h has their starts, goals and
+    measures."""
+    NONE = 0
+    """No exercise: the whole task."""
+    TAKE_NEEDLE = 1
+    """The needle is taken up."""
+    PASS_MARK = 2
+    """The needle is pushed through the wall at a mark."""
+    SINGLE_THROW = 3
+    """A throw of one wrap is tied and seated."""
+    DOUBLE_THROW = 4
+    """A throw of two wraps is tied and seated."""
+    SQUARE_THROW = 5
+    """A throw that is square to the first one is tied and seated."""
+    CUT = 6
+    """Both tails are cut."""
+    COUNT = 7
+    """One more than the largest exercise."""
 
 
 class SessionAidBits(IntFlag):
@@ -348,7 +372,10 @@ class vbss_session_config(ctypes.Structure):
     coaches, too.
 
     lost_share: Share of lost time above which TIME_LOST is an event and `is_lossy` is set, 0 to
-    1; default 0.02. A trial shorter than 1 s counts as 1 s."""
+    1; default 0.02. A trial shorter than 1 s counts as 1 s.
+
+    exercise: Exercise that the session trains in place of the whole task (session_exercise.h);
+    default NONE. The state of an exercise can be restored only to a session with the same one."""
     struct_size: int
     thread: int
     needle: int
@@ -380,7 +407,9 @@ class vbss_session_config(ctypes.Structure):
     gap_measure: int
     coaching: int
     lost_share: float
-    _kinds_: ClassVar[dict[str, Any]] = {"gap_measure": SessionGap}
+    exercise: int
+    reserved: int
+    _kinds_: ClassVar[dict[str, Any]] = {"gap_measure": SessionGap, "exercise": SessionExercise}
     _fields_ = [
         ("struct_size", c_uint32),
         ("thread", c_uint32),
@@ -413,6 +442,8 @@ class vbss_session_config(ctypes.Structure):
         ("gap_measure", c_int32),
         ("coaching", c_uint32),
         ("lost_share", c_double),
+        ("exercise", c_int32),
+        ("reserved", c_uint32),
     ]
 
 

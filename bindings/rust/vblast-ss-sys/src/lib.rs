@@ -31,6 +31,7 @@ mod scene_surface;
 mod session;
 mod session_assistance;
 mod session_coaching;
+mod session_exercise;
 mod visual;
 
 pub use base::*;
@@ -61,4 +62,5 @@ pub use scene_surface::*;
 pub use session::*;
 pub use session_assistance::*;
 pub use session_coaching::*;
+pub use session_exercise::*;
 pub use visual::*;

@@ -16,6 +16,9 @@ pub type vbss_session_failure = i32;
 /// Kind of an event: a VBSS_SESSION_EVENT_ constant.
 pub type vbss_session_event_kind = i32;
 
+/// Exercise of a session: a VBSS_SESSION_EXERCISE_ constant.
+pub type vbss_session_exercise = i32;
+
 /// Measure of the slit's gap: a VBSS_SESSION_GAP_ constant.
 pub type vbss_session_gap = i32;
 
@@ -134,6 +137,27 @@ pub const VBSS_SESSION_EVENT_MISTAKE: vbss_session_event_kind = 20;
 /// assisted and gets no score. `amount` is 1 for the first time, then 0. Undone: the aid was switched
 /// off.
 pub const VBSS_SESSION_EVENT_AID: vbss_session_event_kind = 21;
+/// Only with `exercise`: the exercise `number` has ended; `amount` is 1 if it is passed, and 0 if it is
+/// not (session_exercise.h).
+pub const VBSS_SESSION_EVENT_EXERCISE: vbss_session_event_kind = 22;
+
+// The constants of vbss_session_exercise. session_exercise.h has their starts, goals and measures.
+/// No exercise: the whole task.
+pub const VBSS_SESSION_EXERCISE_NONE: vbss_session_exercise = 0;
+/// The needle is taken up.
+pub const VBSS_SESSION_EXERCISE_TAKE_NEEDLE: vbss_session_exercise = 1;
+/// The needle is pushed through the wall at a mark.
+pub const VBSS_SESSION_EXERCISE_PASS_MARK: vbss_session_exercise = 2;
+/// A throw of one wrap is tied and seated.
+pub const VBSS_SESSION_EXERCISE_SINGLE_THROW: vbss_session_exercise = 3;
+/// A throw of two wraps is tied and seated.
+pub const VBSS_SESSION_EXERCISE_DOUBLE_THROW: vbss_session_exercise = 4;
+/// A throw that is square to the first one is tied and seated.
+pub const VBSS_SESSION_EXERCISE_SQUARE_THROW: vbss_session_exercise = 5;
+/// Both tails are cut.
+pub const VBSS_SESSION_EXERCISE_CUT: vbss_session_exercise = 6;
+/// One more than the largest exercise.
+pub const VBSS_SESSION_EXERCISE_COUNT: vbss_session_exercise = 7;
 
 // Bits of the aids (session_assistance.h). "Along the direction" means: by the component of the hand's movement along
 // vbss_session_assistance.direction.
@@ -298,6 +322,11 @@ pub struct vbss_session_config {
     /// Share of lost time above which TIME_LOST is an event and `is_lossy` is set, 0 to 1; default
     /// 0.02. A trial shorter than 1 s counts as 1 s.
     pub lost_share: f64,
+    /// Exercise that the session trains in place of the whole task (session_exercise.h); default
+    /// NONE. The state of an exercise can be restored only to a session with the same one.
+    pub exercise: vbss_session_exercise,
+    /// Zero.
+    pub reserved: u32,
 }
 
 /// Status of a session.

@@ -167,4 +167,11 @@ impl SessionConfig {
         self.raw.lost_share = value;
         self
     }
+
+    /// Exercise that the session trains in place of the whole task (session_exercise.h); default
+    /// NONE. The state of an exercise can be restored only to a session with the same one.
+    pub fn exercise(mut self, value: sys::vbss_session_exercise) -> Self {
+        self.raw.exercise = value;
+        self
+    }
 }

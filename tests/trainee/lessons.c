@@ -1,0 +1,137 @@
+#include "trainee/trainee.h"
+
+#include <math.h>
+#include <stdio.h>
+
+#define ABOVE 12e-3    /* m, above the thing to take */
+#define IN_BLADES 3e-3 /* m, from their tip to the thread */
+
+static void say(const trainee *t, const char *what)
+{
+    if (t->verbose) {
+        const sight *s = trainee_see(t);
+        printf("  %6.2f s %s: %s [%.1f mm, %.2f rad]\n", t->live.time, what, s->coach.sentence,
+               1e3 * s->coach.distance, s->coach.angle);
+    }
+}
+
+/* The coach gives the place; how the jaws have to be rolled he does not say, so they are tried. */
+void lesson_take_needle(trainee *t)
+{
+    static const double rolls[] = {0.0, 0.8, 0.8, 0.8};
+    (void)trainee_settle(t);
+    for (int i = 0; i < 8; i++) {
+        const sight now = *trainee_see(t), *s = &now;
+        vec at = v_load(s->coach.point);
+        say(t, "over it");
+        if (s->coach.goal != VBSS_SESSION_GOAL_TAKE_NEEDLE || !trainee_jaws(t, RIGHT, false) ||
+            !trainee_roll(t, RIGHT, rolls[i % 4]) ||
+            !trainee_go(t, RIGHT, v_add(at, v3(0.0, 0.0, ABOVE)), 1e-3) ||
+            !trainee_go(t, RIGHT, at, 0.5e-3) || !trainee_jaws(t, RIGHT, true)) {
+            break;
+        }
+        say(t, "closed");
+        if (trainee_see(t)->has_needle[RIGHT]) {
+            break;
+        }
+        if (!trainee_jaws(t, RIGHT, false) || !trainee_move(t, RIGHT, v3(0.0, 0.0, ABOVE))) {
+            break;
+        }
+    }
+    (void)(trainee_move(t, RIGHT, v3(0.0, 0.0, 20e-3)) && trainee_wait(t, 100));
+}
+
+/* The tip before the mark. False: the exercise has ended. */
+static bool bring_tip(trainee *t)
+{
+    for (int i = 0; i < 12; i++) {
+        const sight now = *trainee_see(t), *s = &now;
+        vec to =
+            v_sub(v_along(v_load(s->coach.point), -0.8e-3, v_load(s->coach.direction)), s->needle);
+        say(t, "to the mark");
+        if (v_length(to) < 0.35e-3) {
+            return true;
+        }
+        if (!trainee_move(t, RIGHT, to)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/* The jaws lie square to the needle, so their roll turns it in its plane. Which sense is right shows in the angle of the coach. */
+static bool turn_square(trainee *t)
+{
+    double sign = 1.0, before = trainee_see(t)->coach.angle;
+    for (int i = 0; i < 4 && before > 0.12; i++) {
+        if (!trainee_roll(t, RIGHT, sign * before)) {
+            return false;
+        }
+        double now = trainee_see(t)->coach.angle;
+        sign = now > before ? -sign : sign;
+        before = now;
+    }
+    say(t, "turned");
+    return true;
+}
+
+/* Straight through the wall, as the coach says, and back to the mark when the tip slides along the wall; then the aid keeps the
+ * needle on its arc. */
+void lesson_pass_mark(trainee *t)
+{
+    (void)trainee_settle(t);
+    bool is_at = turn_square(t) && bring_tip(t);
+    for (int i = 0; i < 15 && is_at; i++) {
+        const sight now = *trainee_see(t), *s = &now;
+        vec in = v_load(s->coach.direction);
+        vec aside = v_sub(v_load(s->coach.point), s->needle);
+        aside = v_along(aside, -v_dot(aside, in), in);
+        say(t, "push");
+        if (s->coach.goal != VBSS_SESSION_GOAL_PIERCE &&
+            s->coach.goal != VBSS_SESSION_GOAL_REACH_MARK) {
+            break;
+        }
+        is_at = v_length(aside) > 0.9e-3
+                    ? trainee_move(t, RIGHT, v_scale(-3e-3, in)) && bring_tip(t)
+                    : trainee_move(t, RIGHT, v_along(aside, 1.2e-3, in));
+    }
+    if (!is_at || !trainee_aid(t, VBSS_SESSION_AID_ARC)) {
+        return;
+    }
+    for (int i = 0; i < 20 && trainee_move(t, RIGHT, v3(-2e-3, 0.0, 0.0)); i++) {
+        say(t, "drive");
+    }
+}
+
+/* The hand that the coach names opens, goes aside, takes shears, and cuts at the point of the coach. */
+void lesson_cut(trainee *t)
+{
+    (void)trainee_settle(t);
+    for (int i = 0; i < 30; i++) {
+        const sight now = *trainee_see(t), *s = &now;
+        int side = s->coach.tool == VBSS_METRICS_TOOL_LEFT ? LEFT : RIGHT;
+        vec at = v_load(s->coach.point);
+        bool good = true;
+        say(t, "cut");
+        if (s->coach.goal == VBSS_SESSION_GOAL_TAKE_SHEARS) {
+            good = trainee_jaws(t, side, false) &&
+                   trainee_go(t, side, v3(side == LEFT ? -0.06 : 0.06, -0.01, 0.06), 5e-3) &&
+                   trainee_jaws(t, side, true) && trainee_exchange(t, side);
+        } else if (s->coach.goal == VBSS_SESSION_GOAL_CUT) {
+            vec along = s->jaws[side];
+            good =
+                trainee_jaws(t, side, false) &&
+                trainee_go(t, side, v_along(at, -2.0 * ABOVE, along), 2e-3) &&
+                trainee_roll_across(t, side, v_load(s->coach.direction)) &&
+                trainee_go(t, side, v_along(at, -ABOVE, along), 1e-3) &&
+                trainee_go(t, side, v_along(v_load(trainee_see(t)->coach.point), IN_BLADES, along),
+                           0.6e-3) &&
+                trainee_jaws(t, side, true);
+        } else {
+            good = trainee_wait(t, 20);
+        }
+        if (!good) {
+            return;
+        }
+    }
+}

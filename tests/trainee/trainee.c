@@ -1,0 +1,218 @@
+#include "trainee/trainee.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#define FRAME 0.016
+#define SEES 0.2e-3    /* m: error of the view, standard deviation */
+#define SPEED 0.10     /* m/s, of a movement in the middle */
+#define SHORTEST 0.3   /* s, of a movement */
+#define NOTCH_ROLL 0.1 /* rad */
+
+enum { STEPS = 16, MOST_MOVEMENTS = 12 };
+
+/* ---- chance */
+
+static double chance(trainee *t)
+{
+    return hand_chance(&t->random);
+}
+
+static double normal(trainee *t)
+{
+    double sum = -6.0;
+    for (int i = 0; i < 12; i++) {
+        sum += chance(t);
+    }
+    return sum;
+}
+
+static vec error_of(trainee *t, double size)
+{
+    return v3(size * normal(t), size * normal(t), size * normal(t));
+}
+
+/* ---- sight */
+
+static void look(trainee *t)
+{
+    sight *s = &t->past[t->frames % (TRAINEE_DELAY + 1)];
+    vbss_needle_state needle;
+    const stitch *of = t->live.stage.tasked;
+    memset(s, 0, sizeof *s);
+    for (int side = 0; side < SIDES; side++) {
+        vbss_grasper_state tool;
+        (void)vbss_grasper_get_state(t->live.stage.graspers[side], &tool, sizeof tool);
+        s->tip[side] = v_add(v_load(tool.position), error_of(t, SEES));
+        s->jaws[side] = v_scale(-1.0, hand_rotate(tool.orientation, v3(0.0, 0.0, 1.0)));
+        s->opens[side] = hand_rotate(tool.orientation, v3(1.0, 0.0, 0.0));
+        s->has_needle[side] = tool.needle != 0;
+        s->holds[side] = tool.needle != 0 || tool.grasp_count > 0 || tool.drain != 0;
+        s->shears[side] = tool.kind == VBSS_GRASPER_KIND_SHEARS;
+    }
+    (void)vbss_needle_get_state(of->site.needle, &needle, sizeof needle);
+    s->needle = v_add(v_load(needle.tip), error_of(t, SEES));
+    (void)vbss_session_get_coaching(t->live.stage.task.session, &s->coach, sizeof s->coach);
+}
+
+const sight *trainee_see(const trainee *t)
+{
+    uint64_t at = t->frames > TRAINEE_DELAY ? t->frames - TRAINEE_DELAY : 0;
+    return &t->past[at % (TRAINEE_DELAY + 1)];
+}
+
+bool trainee_has_ended(const trainee *t, vbss_session_exercise_state *state)
+{
+    return vbss_session_get_exercise(t->live.stage.task.session, state, sizeof *state) == VBSS_OK &&
+           state->outcome != VBSS_SESSION_OUTCOME_NONE;
+}
+
+/* ---- time */
+
+static bool pass_frame(trainee *t)
+{
+    vbss_session_exercise_state state;
+    for (int i = 0; i < STEPS; i++) {
+        if (live_step(&t->live) != VBSS_OK) {
+            return false;
+        }
+    }
+    t->frames++;
+    look(t);
+    return !trainee_has_ended(t, &state);
+}
+
+bool trainee_wait(trainee *t, int frames)
+{
+    for (int i = 0; i < frames; i++) {
+        if (!pass_frame(t)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+bool trainee_settle(trainee *t)
+{
+    return trainee_wait(t, TRAINEE_DELAY + 6); /* and the tool is there */
+}
+
+/* ---- done */
+
+/* Counts of the mouse and notches of the wheel. */
+static void push(trainee *t, int side, vec by)
+{
+    mouse_hand *m = &t->live.hands[side];
+    vec right = v_load(m->mapping.right), up = v_load(m->mapping.up), away = v_cross(up, right);
+    mouse_hand_move(m, false, v_dot(by, right) / m->mapping.mouse_metres,
+                    v_dot(by, up) / m->mapping.mouse_metres,
+                    v_dot(by, away) / m->mapping.mouse_depth);
+}
+
+bool trainee_move(trainee *t, int side, vec by)
+{
+    double length = v_length(by), time = fmax(SHORTEST, 1.5 * length / SPEED), before = 0.0;
+    int frames = (int)ceil(time / FRAME);
+    by = v_add(by, error_of(t, t->noise * length));
+    t->live.active = side;
+    for (int i = 1; i <= frames; i++) {
+        double x = (double)i / frames,
+               now = x * x * x * (10.0 + x * (6.0 * x - 15.0)); /* least jerk */
+        push(t, side, v_scale(now - before, by));
+        before = now;
+        if (!trainee_wait(t, 1)) {
+            return false;
+        }
+    }
+    return trainee_settle(t);
+}
+
+bool trainee_go(trainee *t, int side, vec to, double near)
+{
+    for (int i = 0; i < MOST_MOVEMENTS; i++) {
+        vec by = v_sub(to, trainee_see(t)->tip[side]);
+        if (v_length(by) < near) {
+            return true;
+        }
+        if (!trainee_move(t, side, by)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+bool trainee_roll(trainee *t, int side, double angle)
+{
+    int notches = (int)floor(fabs(angle) / NOTCH_ROLL + 0.5);
+    for (int i = 0; i < notches; i++) {
+        mouse_hand_move(&t->live.hands[side], true, 0.0, 0.0, angle > 0.0 ? 1.0 : -1.0);
+        if (!trainee_wait(t, 3)) {
+            return false;
+        }
+    }
+    return trainee_settle(t);
+}
+
+/* Angle between the direction and the plane across the opening, about the jaws' axis. */
+static double off_across(const trainee *t, int side, vec direction)
+{
+    const sight *s = trainee_see(t);
+    vec wide = v_cross(s->jaws[side], s->opens[side]);
+    double along = v_dot(direction, s->opens[side]), across = v_dot(direction, wide);
+    return across < 0.0 ? atan2(-along, -across) : atan2(along, across);
+}
+
+bool trainee_roll_across(trainee *t, int side, vec direction)
+{
+    double sign = 1.0, before = off_across(t, side, direction);
+    for (int i = 0; i < 4 && fabs(before) > 0.15; i++) {
+        if (!trainee_roll(t, side, sign * before)) {
+            return false;
+        }
+        double now = off_across(t, side, direction);
+        sign = fabs(now) > fabs(before) ? -sign : sign;
+        before = now;
+    }
+    return true;
+}
+
+bool trainee_jaws(trainee *t, int side, bool closes)
+{
+    t->live.hands[side].closes = closes;
+    return trainee_settle(t) && trainee_wait(t, 20);
+}
+
+bool trainee_aid(trainee *t, uint32_t aid)
+{
+    return live_toggle_aid(&t->live, aid) == VBSS_OK && trainee_wait(t, 10);
+}
+
+bool trainee_exchange(trainee *t, int side)
+{
+    (void)live_exchange(&t->live, side);
+    return trainee_settle(t);
+}
+
+/* ---- made */
+
+vbss_result trainee_begin(trainee *t, vbss_session_exercise exercise, const start_states *states,
+                          uint64_t seed, const char *log)
+{
+    memset(t, 0, sizeof *t);
+    t->random = seed * 7919 + 17;
+    t->noise = 0.06;
+    TRY(live_create_exercise(&t->live, exercise, states, NULL, log));
+    const live_scene *scene = t->live.scene;
+    const camera c = camera_from(scene->target, scene->aside, CAMERA_DOWN, scene->away);
+    mouse_hand_set_camera(&t->live.hands[LEFT], &c);
+    mouse_hand_set_camera(&t->live.hands[RIGHT], &c);
+    look(t);
+    return VBSS_OK;
+}
+
+void trainee_end(trainee *t)
+{
+    (void)live_end(&t->live);
+    live_destroy(&t->live);
+}
