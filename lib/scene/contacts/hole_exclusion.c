@@ -45,6 +45,15 @@ static double return_length(const scene_body *thread, uint32_t segment, double r
                     reach + SCENE_RETURN_SEGMENTS * segment_length(thread, segment));
 }
 
+/* Not through the walls of drains: these fold, so the triangle of the hole does not tell on which side of them a point is.
+ * There a needle that is turned back could get stuck. */
+static bool may_thread_return(const suture_hole *hole, const scene_body *suture,
+                              const scene_body *wall_body)
+{
+    return hole->thread != 0 && hole->thread == suture->number &&
+           scene_host_surface_of(wall_body) != NULL;
+}
+
 /* Whether a point of a thread is on the side of the wall from which the hole's other half of the thread comes. A fast
  * pull can take a node past a hole before it has gone through. `beyond`: arc length from the hole to the point, m. */
 static bool is_on_wrong_side(const suture_hole *hole, const suture_wall *wall,
@@ -136,8 +145,8 @@ static double scale_in_holes(const scene_object *s, const scene_body *suture, ui
         double now = vec3_distance(wall_point->now, hole_point_at(hole, &wall, wall_point->time));
         double rest = vec3_distance(wall_point->rest, vbss_hole_point(hole, &wall, wall.rest));
         double max_reach = vbss_max(own, -SCENE_EXCLUSION_ARC_RATIO * hole->entry_arc);
-        const bool is_threaded = hole->thread != 0 && hole->thread == suture->number;
-        const double may_return = is_threaded ? return_length(suture, segment, own) : 0.0;
+        const double may_return =
+            may_thread_return(hole, suture, wall_body) ? return_length(suture, segment, own) : 0.0;
         if (!(vbss_max(now, rest) <
               vbss_max((1.0 + SCENE_EXIT_RAMP_RATIO) * max_reach, may_return))) {
             continue;
