@@ -3,7 +3,9 @@
 #include "base/elementary.h"
 #include "knot/knot.h"
 
-/* Sum of the angles between successive segments whose common point is between two places, rad. */
+/* Total turning between two places, rad. The angle at a point is spread evenly over half a segment on
+ * either side of it: counted at the point, a place that moves by a segment would change the turning of
+ * a tight throw, which has only a few points, by a third of a turn. */
 static double turning(const knot_input *input, const double places[2])
 {
     double from = vbss_max(vbss_min(places[0], places[1]), 0.0);
@@ -12,10 +14,13 @@ static double turning(const knot_input *input, const double places[2])
     if (!(from < to)) {
         return 0.0;
     }
-    for (uint32_t i = (uint32_t)from + 1; i < to; i++) {
+    for (uint32_t i = from < 0.5 ? 1 : (uint32_t)(from + 0.5);
+         i + 1 < input->point_count && i - 0.5 < to; i++) {
         vec3 before = vec3_sub(input->points[i], input->points[i - 1]);
         vec3 after = vec3_sub(input->points[i + 1], input->points[i]);
-        sum += vbss_arc_tangent(vec3_norm(vec3_cross(before, after)), vec3_dot(before, after));
+        double share = vbss_min(to, i + 0.5) - vbss_max(from, i - 0.5);
+        sum +=
+            share * vbss_arc_tangent(vec3_norm(vec3_cross(before, after)), vec3_dot(before, after));
     }
     return sum;
 }

@@ -37,14 +37,28 @@ static void total_turning_is_sum_of_angles(void **state)
     polyline p = {.count = 0};
     helix(&p, vec3_zero(), 40, 0.1, 0.0);                          /* 0 to 40 */
     helix(&p, vec3_make(5.0, 0.0, 0.0), 40, 0.3, 0.0);             /* 41 to 81 */
-    expect_near(-0.5, slip_of(&p, 10.0, 20.0, 50.0, 60.0), 1e-13); /* 0.9 and 2.7 */
+    expect_near(-0.5, slip_of(&p, 10.0, 20.0, 50.0, 60.0), 1e-13); /* 1 and 3 */
     expect_near(0.5, slip_of(&p, 50.0, 60.0, 10.0, 20.0), 1e-13);
     expect_near(0.0, slip_of(&p, 10.0, 20.0, 10.0, 20.0), 0.0);
-    /* only points between the places: 10 and 10 */
     expect_near(-0.5, slip_of(&p, 10.5, 20.25, 50.75, 60.5), 1e-13);
-    expect_near(-1.0, slip_of(&p, 10.25, 10.75, 50.0, 60.0), 0.0);
+    expect_near((0.05 - 3.0) / (0.05 + 3.0), slip_of(&p, 10.25, 10.75, 50.0, 60.0), 1e-13);
     /* given the other way round */
     expect_near(-0.5, slip_of(&p, 20.0, 10.0, 60.0, 50.0), 1e-13);
+}
+
+/* A tight throw has few points: one that entered or left it whole would change its slip by a jump. */
+static void slip_is_continuous_in_places(void **state)
+{
+    (void)state;
+    polyline p = {.count = 0};
+    helix(&p, vec3_zero(), 40, 1.5, 0.1);
+    double before = slip_of(&p, 10.0, 12.0, 20.0, 22.0);
+    for (int i = 1; i <= 2000; i++) {
+        double now = slip_of(&p, 10.0, 12.0 + 1e-3 * i, 20.0, 22.0);
+        assert_true(fabs(now - before) < 1e-3);
+        before = now;
+    }
+    expect_near(1.0 / 3.0, before, 1e-12);
 }
 
 static void no_turning_is_zero(void **state)
@@ -139,8 +153,11 @@ static void half_hitch_on_post_slip_is_one(void **state)
 int test_slip(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(total_turning_is_sum_of_angles), cmocka_unit_test(no_turning_is_zero),
-        cmocka_unit_test(sharp_turns_count_fully),        cmocka_unit_test(flat_throw_slip_is_zero),
+        cmocka_unit_test(total_turning_is_sum_of_angles),
+        cmocka_unit_test(slip_is_continuous_in_places),
+        cmocka_unit_test(no_turning_is_zero),
+        cmocka_unit_test(sharp_turns_count_fully),
+        cmocka_unit_test(flat_throw_slip_is_zero),
         cmocka_unit_test(half_hitch_on_post_slip_is_one),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
