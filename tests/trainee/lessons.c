@@ -19,7 +19,7 @@ static void say(const trainee *t, const char *what)
 void lesson_take_needle(trainee *t)
 {
     static const double rolls[] = {0.0, 0.8, 0.8, 0.8};
-    (void)trainee_settle(t);
+    (void)trainee_finish_motion(t);
     for (int i = 0; i < 8; i++) {
         const sight now = *trainee_see(t), *s = &now;
         vec at = v_load(s->coach.point);
@@ -79,7 +79,7 @@ static bool turn_square(trainee *t)
  * needle on its arc. */
 void lesson_pass_mark(trainee *t)
 {
-    (void)trainee_settle(t);
+    (void)trainee_finish_motion(t);
     bool is_at = turn_square(t) && bring_tip(t);
     for (int i = 0; i < 15 && is_at; i++) {
         const sight now = *trainee_see(t), *s = &now;
@@ -106,7 +106,7 @@ void lesson_pass_mark(trainee *t)
 /* The hand that the coach names opens, goes aside, takes shears, and cuts at the point of the coach. */
 void lesson_cut(trainee *t)
 {
-    (void)trainee_settle(t);
+    (void)trainee_finish_motion(t);
     for (int i = 0; i < 30; i++) {
         const sight now = *trainee_see(t), *s = &now;
         int side = s->coach.tool == VBSS_METRICS_TOOL_LEFT ? LEFT : RIGHT;

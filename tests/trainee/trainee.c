@@ -10,7 +10,7 @@
 #define SHORTEST 0.3   /* s, of a movement */
 #define NOTCH_ROLL 0.1 /* rad */
 
-enum { STEPS = 16, MOST_MOVEMENTS = 12 };
+enum { STEPS = 16, MAX_MOVEMENTS = 12 };
 
 /* ---- chance */
 
@@ -35,7 +35,7 @@ static vec error_of(trainee *t, double size)
 
 /* ---- sight */
 
-static void look(trainee *t)
+static void observe(trainee *t)
 {
     sight *s = &t->past[t->frames % (TRAINEE_DELAY + 1)];
     vbss_needle_state needle;
@@ -79,7 +79,7 @@ static bool pass_frame(trainee *t)
         }
     }
     t->frames++;
-    look(t);
+    observe(t);
     return !trainee_has_ended(t, &state);
 }
 
@@ -93,7 +93,7 @@ bool trainee_wait(trainee *t, int frames)
     return true;
 }
 
-bool trainee_settle(trainee *t)
+bool trainee_finish_motion(trainee *t)
 {
     return trainee_wait(t, TRAINEE_DELAY + 6); /* and the tool is there */
 }
@@ -125,12 +125,12 @@ bool trainee_move(trainee *t, int side, vec by)
             return false;
         }
     }
-    return trainee_settle(t);
+    return trainee_finish_motion(t);
 }
 
 bool trainee_go(trainee *t, int side, vec to, double near)
 {
-    for (int i = 0; i < MOST_MOVEMENTS; i++) {
+    for (int i = 0; i < MAX_MOVEMENTS; i++) {
         vec by = v_sub(to, trainee_see(t)->tip[side]);
         if (v_length(by) < near) {
             return true;
@@ -151,7 +151,7 @@ bool trainee_roll(trainee *t, int side, double angle)
             return false;
         }
     }
-    return trainee_settle(t);
+    return trainee_finish_motion(t);
 }
 
 /* Angle between the direction and the plane across the opening, about the jaws' axis. */
@@ -180,7 +180,7 @@ bool trainee_roll_across(trainee *t, int side, vec direction)
 bool trainee_jaws(trainee *t, int side, bool closes)
 {
     t->live.hands[side].closes = closes;
-    return trainee_settle(t) && trainee_wait(t, 20);
+    return trainee_finish_motion(t) && trainee_wait(t, 20);
 }
 
 bool trainee_aid(trainee *t, uint32_t aid)
@@ -191,7 +191,7 @@ bool trainee_aid(trainee *t, uint32_t aid)
 bool trainee_exchange(trainee *t, int side)
 {
     (void)live_exchange(&t->live, side);
-    return trainee_settle(t);
+    return trainee_finish_motion(t);
 }
 
 /* ---- made */
@@ -207,7 +207,7 @@ vbss_result trainee_begin(trainee *t, vbss_session_exercise exercise, const star
     const camera c = camera_from(scene->target, scene->aside, CAMERA_DOWN, scene->away);
     mouse_hand_set_camera(&t->live.hands[LEFT], &c);
     mouse_hand_set_camera(&t->live.hands[RIGHT], &c);
-    look(t);
+    observe(t);
     return VBSS_OK;
 }
 

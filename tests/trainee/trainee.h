@@ -37,7 +37,7 @@ bool trainee_wait(trainee *t, int frames);
 /* The view of 200 ms ago. */
 const sight *trainee_see(const trainee *t);
 /* Waits until the effect of the last movement is in the view. */
-bool trainee_settle(trainee *t);
+bool trainee_finish_motion(trainee *t);
 /* One movement of a hand, as it is meant. */
 bool trainee_move(trainee *t, int side, vec by);
 /* Movements until the tip is seen within `near` of the place, 12 at most. */

@@ -67,7 +67,7 @@ static void comments_and_empty_lines_are_left_out(void **state)
     assert_int_equal(p.rows[VBSS_SESSION_EXERCISE_PASS_MARK].attempts, 2);
 }
 
-static void a_bad_file_is_kept_and_the_line_is_told(void **state)
+static void a_bad_file_is_kept_and_the_line_is_reported(void **state)
 {
     (void)state;
     static const struct {
@@ -98,7 +98,7 @@ static void a_bad_file_is_kept_and_the_line_is_told(void **state)
     }
 }
 
-static void a_folder_that_does_not_exist_is_told(void **state)
+static void a_folder_that_does_not_exist_is_reported(void **state)
 {
     (void)state;
     progress p = {.rows = {{0}}};
@@ -112,8 +112,8 @@ int test_progress(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(ended_exercises_are_counted),
         cmocka_unit_test(comments_and_empty_lines_are_left_out),
-        cmocka_unit_test(a_bad_file_is_kept_and_the_line_is_told),
-        cmocka_unit_test(a_folder_that_does_not_exist_is_told),
+        cmocka_unit_test(a_bad_file_is_kept_and_the_line_is_reported),
+        cmocka_unit_test(a_folder_that_does_not_exist_is_reported),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -117,18 +117,18 @@ vbss_result vbss_scene_place_static_mesh(scene_object *s, const vbss_scene_stati
         return result;
     }
     const pose origin = pose_make(vec3_zero(), quat_identity());
-    scene_rigid rigid = {.kind = VBSS_SCENE_RIGID_DRIVEN,
-                         .frame = origin,
-                         .trial = origin,
-                         .first_capsule = s->capsule_count,
-                         .friction = c->friction,
-                         .created_friction = c->friction,
-                         .is_static_mesh = true,
-                         .mesh = mesh};
-    rigid.body.mass = 1.0; /* a driven body needs some; it has no effect */
-    rigid.body.inertia = vec3_make(1.0, 1.0, 1.0);
-    rigid.body.now.pose = rigid.body.target_start = rigid.body.target_end = origin;
-    *b = (scene_body){.rigid = rigid};
+    *b = (scene_body){.kind = SCENE_BODY_NONE};
+    scene_rigid *rigid =
+        &b->rigid; /* in place: a copy would double the stack of those that load scenes */
+    rigid->kind = VBSS_SCENE_RIGID_DRIVEN;
+    rigid->frame = rigid->trial = origin;
+    rigid->first_capsule = s->capsule_count;
+    rigid->friction = rigid->created_friction = c->friction;
+    rigid->is_static_mesh = true;
+    rigid->mesh = mesh;
+    rigid->body.mass = 1.0; /* a driven body needs some; it has no effect */
+    rigid->body.inertia = vec3_make(1.0, 1.0, 1.0);
+    rigid->body.now.pose = rigid->body.target_start = rigid->body.target_end = origin;
     vbss_scene_register_body(s, b, SCENE_BODY_RIGID, shape, body);
     return VBSS_OK;
 }
