@@ -150,12 +150,15 @@ static void bend_in_scene_is_that_of_thread_alone(void **state)
 
 /* ---- descriptions of earlier versions */
 
-/* Reads the description of `config` without its last fields, as an older version had it. */
+/* Bytes of a field in a description: a number, or a word. */
+enum { NUMBER_BYTES = 16, WORD_BYTES = 12 };
+
+/* Reads the description of `config` without its last bytes, as an older version had it. */
 static vbss_thread_config read_without(const vbss_thread_config *config,
                                        vbss_baseline_config *baseline, uint8_t version,
-                                       size_t fields)
+                                       size_t removed)
 {
-    const size_t section_end = 8, removed = 16 * fields;
+    const size_t section_end = 8;
     vbss_thread_config read;
     uint8_t bytes[4096];
     vbss_stream stream;
@@ -165,7 +168,7 @@ static vbss_thread_config read_without(const vbss_thread_config *config,
     vbss_thread_visit_config(&stream, &copy, baseline);
     expect_ok(stream.result);
     size_t count = stream.position;
-    assert_int_equal(3, bytes[2]);
+    assert_int_equal(4, bytes[2]);
     bytes[2] = version;
     memmove(bytes + count - section_end - removed, bytes + count - section_end, section_end);
     vbss_baseline_config read_baseline;
@@ -186,8 +189,13 @@ static void descriptions_of_older_versions_have_no_memory_and_no_twist(void **st
     s.thread.length = 0.1;
     s.thread.yield_curvature = 300.0;
     expect_ok(vbss_thread_read_config(s.context, &s.thread, &config, &baseline));
-    const vbss_thread_config first = read_without(&config, &baseline, 1, 6);
-    const vbss_thread_config second = read_without(&config, &baseline, 2, 2);
+    config.torsional_stiffness = 1e-8;
+    config.friction_torque = 1;
+    const vbss_thread_config first =
+        read_without(&config, &baseline, 1, 6 * NUMBER_BYTES + WORD_BYTES);
+    const vbss_thread_config second =
+        read_without(&config, &baseline, 2, 2 * NUMBER_BYTES + WORD_BYTES);
+    const vbss_thread_config third = read_without(&config, &baseline, 3, WORD_BYTES);
     assert_int_equal(config.segment_count, first.segment_count);
     expect_near(config.finest_length, first.finest_length, 0.0);
     expect_near(0.0, first.yield_curvature, 0.0);
@@ -196,6 +204,8 @@ static void descriptions_of_older_versions_have_no_memory_and_no_twist(void **st
     expect_near(300.0, second.yield_curvature, 0.0);
     expect_near(0.0, second.torsional_stiffness, 0.0);
     expect_near(0.0, second.rest_twist, 0.0);
+    expect_near(1e-8, third.torsional_stiffness, 0.0);
+    assert_int_equal(0, third.friction_torque);
     small_end(&s);
 }
 

@@ -250,7 +250,7 @@ class Scene(Configured, Viewed, Saved):
 
             return int(self._context._guarded(NO_PLACE, work))
 
-        entry = vbss_scene_place_hole_fn() if place is None else vbss_scene_place_hole_fn(ask)
+        entry = ctypes.cast(0, vbss_scene_place_hole_fn) if place is None else vbss_scene_place_hole_fn(ask)
         self._call(lib.vbss_scene_remesh_surface, index(body), points, len(points) // 3, corners, len(corners) // 3, entry,
                    None)
 
