@@ -82,8 +82,8 @@ static void build(fem *f)
                                    {1, 2, 0}, {2, 0, 1}, {2, 1, 0}};
     const int *cells = f->config.cells, step[3] = {f->row, f->layer, 1};
     for (int i = 0; i < f->nodes; i++) {
-        f->rest[i][0] = f->config.side * (i % f->layer / f->row - 0.5 * cells[0]);
-        f->rest[i][1] = f->config.side * (i / f->layer - cells[1]);
+        f->rest[i][0] = f->config.side * ((double)(i % f->layer / f->row) - 0.5 * cells[0]);
+        f->rest[i][1] = f->config.side * ((double)(i / f->layer) - cells[1]);
         f->rest[i][2] = f->config.side * (i % f->row - 0.5 * cells[2]);
     }
     for (int cell = 0; cell < cells[0] * cells[1] * cells[2]; cell++) {
@@ -110,7 +110,8 @@ static void multiply_row(const fem *f, int node, const double (*x)[3], double ou
         }
         const double *y = x[neighbour(f, node, s)];
         for (int k = 0; k < 3; k++) {
-            out[k] += b[3 * k] * y[0] + b[3 * k + 1] * y[1] + b[3 * k + 2] * y[2];
+            const double *row = b + 3 * (size_t)k;
+            out[k] += row[0] * y[0] + row[1] * y[1] + row[2] * y[2];
         }
     }
 }
@@ -139,7 +140,8 @@ static double dot(const fem *f, const double (*a)[3], const double (*b)[3], int 
     double sum = 0.0;
     for (int i = f->layer; i < f->nodes; i++) {
         for (int k = 0; k < 3; k++) {
-            const double diagonal = f->stiffness[i][FEM_NEIGHBOURS / 2][4 * k] + inertia(f, i);
+            const double diagonal =
+                f->stiffness[i][FEM_NEIGHBOURS / 2][4 * (size_t)k] + inertia(f, i);
             sum += a[i][k] * b[i][k] / (is_scaled ? diagonal : 1.0);
         }
     }
@@ -163,7 +165,8 @@ static void solve(fem *f)
         const double fresh = dot(f, fixed_r, fixed_r, 1);
         for (int i = f->layer; i < f->nodes; i++) {
             for (int k = 0; k < 3; k++) {
-                const double diagonal = f->stiffness[i][FEM_NEIGHBOURS / 2][4 * k] + inertia(f, i);
+                const double diagonal =
+                    f->stiffness[i][FEM_NEIGHBOURS / 2][4 * (size_t)k] + inertia(f, i);
                 p[i][k] = r[i][k] / diagonal + (iteration == 0 ? 0.0 : fresh / rho * p[i][k]);
             }
         }

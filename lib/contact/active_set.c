@@ -239,7 +239,7 @@ static void lag_cycling_sleeves(contact_set *set, const contact_active_set_optio
     for (uint32_t i = 0; i < set->count; i++) {
         contact_constraint *constraint = &set->constraints[i];
         contact_solution next;
-        if (constraint->is_sleeve &&
+        if (constraint->is_sleeve && constraint->may_lag &&
             vbss_contact_update_solution(constraint, relative_motion(constraint, options->system),
                                          &next) > 0.0) {
             const double transverse = vec3_norm(next.tangential_force),

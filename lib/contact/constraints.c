@@ -87,7 +87,8 @@ contact_constraint *vbss_contact_try(contact_set *set, const contact_key *key)
     contact_constraint *constraint = &set->constraints[set->count];
     constraint->key = *key; /* the Jacobian, most of the record, is not read until it is set */
     constraint->jacobian_block_count = 0;
-    constraint->is_bilateral = constraint->is_sleeve = constraint->is_sliding = false;
+    constraint->is_bilateral = constraint->is_sleeve = constraint->is_sliding =
+        constraint->may_lag = false;
     constraint->friction = constraint->tangential_stiffness_ratio = constraint->elastic_slip_limit =
         constraint->recovery_allowance = constraint->lagged_transverse = 0.0;
     constraint->solution = (contact_solution){.status = CONTACT_OPEN};

@@ -103,6 +103,7 @@ typedef struct contact_constraint {
      * negative, but not their sum. Beyond, a damper with the stiffness viscous_stiffness in this
      * substep, N/m, lets it slide. The axial force is remembered. */
     double yield_force, yield_friction[2], viscous_stiffness;
+    bool may_lag; /* sleeve: its yield force may be lagged */
     /* Sleeve: transverse force from which the linearisation takes the yield force while the search cycles, N; 0:
      * that of the solution. */
     double lagged_transverse;

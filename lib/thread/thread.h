@@ -249,8 +249,8 @@ struct thread_object {
     thread_arc *arcs;                     /* implicit method */
     thread_clamp *clamps;                 /* in the order of their nodes (implicit method) */
     uint32_t clamp_count;
-    thread_section_holder *holders; /* in the order of their nodes; twist (implicit method) */
-    uint32_t holder_count;
+    thread_section_holder
+        *holders; /* holder_count, in the order of their nodes; twist (implicit method) */
     /* coupling of block i with i + 1 .. i + 3 (implicit method) */
     uint32_t (*couplings)[THREAD_BANDWIDTH];
     vbss_system *system; /* system of a thread that is stepped on its own (implicit method) */
@@ -267,6 +267,8 @@ struct thread_object {
     thread_twist_span *twist_spans;
     uint32_t twist_span_count;
     uint32_t coupling_slots; /* entries of twist_couplings for a node: 2, with friction torque 3 */
+    uint32_t roll_count;     /* friction torque: segments with a roll */
+    uint32_t holder_count;
     thread_twist_stiffness *twist_stiffness; /* two */
     vec3 *twist_couplings;                   /* two; see twist.c */
     vec3 *twist_forces, *twist_scratch;      /* one, N */
@@ -276,7 +278,6 @@ struct thread_object {
     uint8_t *has_roll, *is_span_exact;
     double *roll_angles;
     vec3 (*span_gradients)[THREAD_EXACT_SPAN_NODES];
-    uint32_t roll_count; /* segments with a roll */
     thread_strain *strains;
     struct baseline_thread *baseline; /* state of lib/baseline; NULL by the implicit method */
 

@@ -109,14 +109,14 @@ static void replay_follows_another_mesh_without_the_host(void **state)
     double finer[FINER_ROW * FINER_ROW][3];
     uint32_t triangles[2 * FINER * FINER][3];
     for (uint32_t i = 0; i < FINER_ROW * FINER_ROW; i++) {
-        finer[i][0] = 5e-3 * (i / FINER_ROW) - 20e-3;
+        finer[i][0] = 5e-3 * (double)(i / FINER_ROW) - 20e-3;
         finer[i][1] = -1e-3;
         finer[i][2] = 5e-3 * (i % FINER_ROW) - 20e-3;
     }
     for (uint32_t i = 0; i < FINER * FINER; i++) {
         const uint32_t a = i / FINER * FINER_ROW + i % FINER, b = a + FINER_ROW;
         const uint32_t cell[2][3] = {{a, a + 1, b + 1}, {a, b + 1, b}};
-        memcpy(triangles[2 * i], cell, sizeof cell);
+        memcpy(triangles[2 * (size_t)i], cell, sizeof cell);
     }
     expect_ok(vbss_record_config_init(&config, sizeof config));
     config.hash_interval = 1;

@@ -17,6 +17,8 @@ bool vbss_scene_add_hole_constraints(scene_object *s)
             return false;
         }
         constraint->is_sleeve = true;
+        /* In a drain one thread of 28 gained energy with the lag (docs/notebook/stitch.md). */
+        constraint->may_lag = scene_host_surface_of(vbss_scene_body(s, hole->wall)) != NULL;
     }
     return true;
 }
