@@ -1,8 +1,8 @@
 /**
  * @file session_exercise.h
- * @brief Exercises of a session: one skill of the task, its measures, their pass marks and a outcome.
+ * @brief Exercises of a session: one skill of the task, its measures, their pass marks and an outcome.
  *
- * A session with #vbss_session_config.exercise trains one skill. It ends with a *outcome* when the goal of
+ * A session with #vbss_session_config.exercise trains one skill. It ends with an *outcome* when the goal of
  * the exercise is reached, when its time is up, or when the task fails. The outcome is passed if each
  * *measure* is within its pass mark. It is an event, VBSS_SESSION_EVENT_EXERCISE, so a replay gives it at
  * the same step. After the outcome the scene can be stepped on, but the clock and the facts of the task
@@ -29,7 +29,7 @@
 
 #include <vblast_ss/session.h>
 
-/** Verdict of an exercise: a VBSS_SESSION_OUTCOME_ constant. */
+/** Outcome of an exercise: a VBSS_SESSION_OUTCOME_ constant. */
 typedef int32_t vbss_session_outcome;
 
 /** The constants of #vbss_session_outcome. */

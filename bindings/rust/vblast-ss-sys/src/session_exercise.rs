@@ -4,7 +4,7 @@ use std::os::raw::{c_char};
 use crate::*;
 
 
-/// Verdict of an exercise: a VBSS_SESSION_OUTCOME_ constant.
+/// Outcome of an exercise: a VBSS_SESSION_OUTCOME_ constant.
 pub type vbss_session_outcome = i32;
 
 /// Kind of a measure: a VBSS_SESSION_MEASURE_ constant.
