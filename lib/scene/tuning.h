@@ -155,10 +155,6 @@
 /* The contact distance grows from zero over this arc length beyond the excluded one.
  * Unit: 1, relative to the excluded arc length. Origin: chosen. Test: none known. */
 #define SCENE_EXIT_RAMP_RATIO VBSS_TUNE(SCENE_EXIT_RAMP_RATIO, 1.0)
-/* A thread does not touch the wall either where its corner may be beside its smooth curve.
- * Unit: segments. Origin: derived: a third of a segment when the thread turns back, and half as much again. Test:
- * scene.hole_passage. */
-#define SCENE_CORNER_RATIO VBSS_TUNE(SCENE_CORNER_RATIO, 0.5)
 /* A thread on the wrong side of the wall may return through it this far beyond the ramp.
  * Unit: segments. Origin: chosen. Test: scene.hole_passage. */
 #define SCENE_RETURN_SEGMENTS VBSS_TUNE(SCENE_RETURN_SEGMENTS, 1.0)

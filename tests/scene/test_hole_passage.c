@@ -16,6 +16,7 @@ static void thread_crosses_the_surface_in_its_hole_only(void **state)
     assert_int_equal(result.steps, 12000);
     assert_int_equal(result.several, 0);
     assert_int_equal(result.far, 0);
+    assert_int_equal(result.clamped, 0);
     assert_true(result.slid > 0.5);
 }
 

@@ -28,13 +28,10 @@ static double segment_length(const scene_body *thread, uint32_t segment)
 }
 
 /* Radius within which a suture does not touch the wall, m. A thread bends at once, so its radius is
- * smaller than a needle's. The hole is on its smooth curve, which cuts its corners: these need room. */
-static double suture_reach(const scene_body *suture, uint32_t segment, double reach)
+ * smaller than a needle's. */
+static double suture_reach(const scene_body *suture, double reach)
 {
-    return suture->kind == SCENE_BODY_THREAD
-               ? vbss_max(THREAD_REACH_RATIO * reach,
-                          SCENE_CORNER_RATIO * segment_length(suture, segment))
-               : reach;
+    return suture->kind == SCENE_BODY_THREAD ? THREAD_REACH_RATIO * reach : reach;
 }
 
 /* Length within which a thread may return to its side of the wall, m: that where contact is not complete, and
@@ -134,8 +131,7 @@ static double scale_in_holes(const scene_object *s, const scene_body *suture, ui
                              const scene_wall_point *wall_point, double reach)
 {
     const suture_wall wall = vbss_scene_wall_of(wall_body);
-    const double own =
-        reach_at_swage(s, suture, segment, wall_body, suture_reach(suture, segment, reach));
+    const double own = reach_at_swage(s, suture, segment, wall_body, suture_reach(suture, reach));
     double scale = 1.0;
     for (uint32_t i = 0; i < s->config.hole_capacity; i++) {
         const suture_hole *hole = &s->holes[i];
