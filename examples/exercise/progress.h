@@ -23,7 +23,7 @@ typedef struct progress {
     progress_row rows[VBSS_SESSION_EXERCISE_COUNT];
 } progress;
 
-/* A file that does not exist is empty. False: `why` says what is wrong, with the line. */
+/* A file that does not exist is empty. False: the file is wrong, and `why` names the line. */
 bool progress_read(progress *p, const char *path, char *why, size_t why_bytes);
 bool progress_write(const progress *p, const char *path, char *why, size_t why_bytes);
 /* Counts an exercise that has ended. */

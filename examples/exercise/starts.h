@@ -10,7 +10,7 @@
 
 /* Takes over the bytes, which were allocated by malloc. False: they are no states; they are freed. */
 bool starts_parse(start_states *s, uint8_t *bytes, size_t count);
-/* False: `why` says what is wrong. */
+/* False: the file is wrong, and `why` names the fault. */
 bool starts_read(start_states *s, const char *path, char *why, size_t why_bytes);
 /* The file is replaced at once, or stays as it is. */
 bool starts_write(const start_states *s, const char *path, char *why, size_t why_bytes);

@@ -26,8 +26,8 @@ typedef struct playing {
     uint64_t granted;    /* frames, in lockstep */
     start_states states; /* of exercises */
     bool noted;          /* the exercise's outcome is in the file of progress */
-    char progress[160];  /* what came of that */
-    uint64_t reported;   /* what had come when it was told last */
+    char progress[160];  /* whether it was saved, as a sentence */
+    uint64_t reported;   /* the value that was reported last */
 } playing;
 
 /* ---- person.c: what the person does */

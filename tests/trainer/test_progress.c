@@ -91,7 +91,7 @@ static void a_bad_file_is_kept_and_the_line_is_reported(void **state)
         write_text(rows[i].text);
         assert_false(progress_note(FILE_NAME, &ended, &p, why, sizeof why));
         if (strstr(why, rows[i].wanted) == NULL) {
-            fail_msg("'%s' is told of '%s'", why, rows[i].text);
+            fail_msg("'%s' is the message about '%s'", why, rows[i].text);
         }
         read_text(text);
         assert_string_equal(text, rows[i].text);
