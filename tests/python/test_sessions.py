@@ -162,7 +162,7 @@ def test_an_exercise_has_measures_and_an_outcome(context):
                      vb.SessionMeasureKind.TIME]
     assert [measure.is_known for measure in session.measures] == [0, 0, 1, 1] and exercise.missed == 3
     for _ in range(610):
-        session.step(0.1)  # nobody takes it
+        session.step(0.1)  # no tool takes the needle
     assert session.exercise.outcome is vb.SessionOutcome.FAILED and session.exercise.time == pytest.approx(60.0, abs=0.11)
     assert [event.kind for event in session.events].count(vb.SessionEventKind.EXERCISE) == 1
     with pytest.raises(vb.errors.OutOfRangeError):

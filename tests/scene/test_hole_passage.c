@@ -20,7 +20,7 @@ static void thread_crosses_the_surface_in_its_hole_only(void **state)
     assert_true(result.slid > 0.5);
 }
 
-/* At 1 m/s the search for the state of a hole went to and fro between two directions of its transverse force until its limit, and 356
+/* At 1 m/s the search for the state of a hole went to and fro between two directions of its transverse force until its limit, and 344
  * parts of these steps were truncated. */
 static void fast_pull_does_not_stop_the_thread(void **state)
 {

@@ -217,7 +217,7 @@ typedef struct answer {
     uint32_t calls, triangle;
     double weights[3];
     vbss_result result;
-    bool leaves; /* what comes with the call */
+    bool leaves; /* triangle and weights as the call passed them */
     vbss_scene *scene;
     vbss_result inside; /* of a call that changes the scene */
 } answer;
