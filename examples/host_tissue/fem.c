@@ -82,8 +82,9 @@ static void build(fem *f)
                                    {1, 2, 0}, {2, 0, 1}, {2, 1, 0}};
     const int *cells = f->config.cells, step[3] = {f->row, f->layer, 1};
     for (int i = 0; i < f->nodes; i++) {
-        f->rest[i][0] = f->config.side * ((double)(i % f->layer / f->row) - 0.5 * cells[0]);
-        f->rest[i][1] = f->config.side * ((double)(i / f->layer) - cells[1]);
+        const int x = i % f->layer / f->row, y = i / f->layer;
+        f->rest[i][0] = f->config.side * (x - 0.5 * cells[0]);
+        f->rest[i][1] = f->config.side * (y - cells[1]);
         f->rest[i][2] = f->config.side * (i % f->row - 0.5 * cells[2]);
     }
     for (int cell = 0; cell < cells[0] * cells[1] * cells[2]; cell++) {

@@ -109,7 +109,8 @@ static void replay_follows_another_mesh_without_the_host(void **state)
     double finer[FINER_ROW * FINER_ROW][3];
     uint32_t triangles[2 * FINER * FINER][3];
     for (uint32_t i = 0; i < FINER_ROW * FINER_ROW; i++) {
-        finer[i][0] = 5e-3 * (double)(i / FINER_ROW) - 20e-3;
+        const uint32_t x = i / FINER_ROW;
+        finer[i][0] = 5e-3 * x - 20e-3;
         finer[i][1] = -1e-3;
         finer[i][2] = 5e-3 * (i % FINER_ROW) - 20e-3;
     }
