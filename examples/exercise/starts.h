@@ -7,6 +7,7 @@
 #include <stddef.h>
 
 #include "exercise/places.h"
+#include "ghost/track.h"
 
 /* Takes over the bytes, which were allocated by malloc. False: they are no states; they are freed. */
 bool starts_parse(start_states *s, uint8_t *bytes, size_t count);
@@ -18,8 +19,10 @@ void starts_free(start_states *s);
 
 /* ---- starts_make.c */
 
-/* The surgeon works until three throws are seated: 90 s of simulated time, which take about as long. `shown`, which may be
- * NULL, receives the time of the task now and then. False: no seed of ten has succeeded. */
-bool starts_make(start_states *s, void (*shown)(void *user, double seconds), void *user);
+/* The surgeon works until three throws are seated, or, with `hands`, until both tails are cut: they become a track of his tools: 90 s of
+ * simulated time, which take about as long. `shown`, which may be NULL, receives the time of the task now and then. False: no seed
+ * of ten has succeeded. */
+bool starts_make(start_states *s, ghost_track *hands, void (*shown)(void *user, double seconds),
+                 void *user);
 
 #endif

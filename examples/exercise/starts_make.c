@@ -3,10 +3,12 @@
 #include <string.h>
 
 #include "exercise/starts.h"
+#include "ghost/gather.h"
 #include "surgeon/surgeon.h"
 
 #define STEP 1e-3
 #define SHOWN_STEPS 500
+#define GHOST_STEPS 40
 #define LONGEST 240.0 /* s of the task: a surgeon that has not succeeded by then will not */
 
 enum { SEEDS = 10 };
@@ -15,6 +17,8 @@ typedef struct maker {
     surgeon surgeon;
     task task;
     start_states states; /* each in memory of its own */
+    ghost_rows rows;
+    bool has_ghost; /* is wanted */
 } maker;
 
 static void forget(start_states *s)
@@ -58,14 +62,19 @@ static vbss_result work(maker *m, void (*shown)(void *user, double seconds), voi
 {
     surgeon *s = &m->surgeon;
     vbss_session_status now;
-    for (uint64_t i = 0; m->states.at[START_TIED].scene == NULL; i++) {
+    for (uint64_t i = 0;
+         m->has_ghost ? s->stage != SURGEON_DONE : m->states.at[START_TIED].scene == NULL; i++) {
         TRY(surgeon_step(s, STEP));
         TRY(vbss_session_get_status(m->task.session, &now, sizeof now));
         start_place place = place_of(s, &now);
         if (place != START_NEW && m->states.at[place].scene == NULL) {
             TRY(save(m, &m->states.at[place]));
         }
-        if (s->stage >= SURGEON_DONE || now.time > LONGEST) {
+        if (m->has_ghost && i % GHOST_STEPS == 0) {
+            TRY(ghost_gather(&m->rows, &s->stitch, m->task.session));
+        }
+        if (s->stage > SURGEON_DONE || (s->stage == SURGEON_DONE && !m->has_ghost) ||
+            now.time > LONGEST) {
             return VBSS_ERROR_NOT_FOUND;
         }
         if (shown != NULL && i % SHOWN_STEPS == 0) {
@@ -94,16 +103,19 @@ static bool perform(maker *m, uint64_t seed, void (*shown)(void *user, double se
     return has_all;
 }
 
-bool starts_make(start_states *s, void (*shown)(void *user, double seconds), void *user)
+bool starts_make(start_states *s, ghost_track *hands, void (*shown)(void *user, double seconds),
+                 void *user)
 {
     static maker m;
     memset(s, 0, sizeof *s);
     for (uint64_t seed = 0; seed < SEEDS; seed++) {
         memset(&m, 0, sizeof m);
-        if (perform(&m, seed, shown, user)) {
+        m.has_ghost = hands != NULL;
+        if (perform(&m, seed, shown, user) && (hands == NULL || ghost_finish(&m.rows, hands))) {
             *s = m.states;
             return true;
         }
+        ghost_rows_free(&m.rows);
         forget(&m.states);
     }
     return false;

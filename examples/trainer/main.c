@@ -113,7 +113,7 @@ static bool make_starts(start_states *states, const char *path)
 {
     char why[300];
     starts_free(states);
-    bool good = starts_make(states, show_making, NULL);
+    bool good = starts_make(states, NULL, show_making, NULL);
     fputc('\n', stderr);
     if (good && !starts_write(states, path, why, sizeof why)) {
         fprintf(stderr, "trainer: %s: they are made again the next time\n", why);

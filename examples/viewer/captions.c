@@ -16,6 +16,7 @@ static const char *const help[] = {
     "P pause, . a frame on    R from the beginning    H this    Esc",
     "aids, without a score: F2 needle's arc  F3 wind  F4 snap roll",
     "F5 slow motion  F6 no sinking  F7 idle tool stays",
+    "G: ghost hands, and without them",
     "X: shears in place of the tool, and back, with empty jaws",
     "gamepad: sticks move, roll; left bumper: turn; right trigger: jaws;",
     "right bumper: the other tool; left trigger: finer",

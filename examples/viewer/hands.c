@@ -74,7 +74,8 @@ static vbss_result go_on(playing *p)
     TRY(person_pull(p, p->o->frame_steps > 0 ? 1e-3 * p->o->frame_steps : fmin(elapsed, 0.1)));
     const int count = count_steps(p, elapsed);
     p->real_time_factor += 0.05 * (1e-3 * count / fmax(elapsed, 1e-3) - p->real_time_factor);
-    return make_steps(p, count);
+    TRY(make_steps(p, count));
+    return ghosts_step(p, 1e-3 * count);
 }
 
 /* ---- a session */
@@ -108,6 +109,16 @@ static void note_outcome(playing *p)
     }
 }
 
+static bool succeeds(const playing *p, vbss_result result)
+{
+    const char *text = "";
+    if (result != VBSS_OK) {
+        (void)vbss_context_get_last_error(p->live.stage.context, NULL, &text);
+        fprintf(stderr, "viewer: %s: %s\n", vbss_result_string(result), text);
+    }
+    return result == VBSS_OK;
+}
+
 static bool begin(playing *p)
 {
     const live_scene *scene = live_find(p->o->live);
@@ -130,7 +141,7 @@ static bool begin(playing *p)
     p->next = 0.0;
     p->real_time_factor = 1.0;
     p->clock = window_clock();
-    return show_stage(&p->show, &p->live.stage);
+    return show_stage(&p->show, &p->live.stage) && succeeds(p, ghosts_begin(p));
 }
 
 static bool play(playing *p)
@@ -139,11 +150,7 @@ static bool play(playing *p)
         if (p->o->lockstep != 0 && !reporting_grants(p)) {
             continue;
         }
-        const vbss_result result = go_on(p);
-        if (result != VBSS_OK) {
-            const char *text = "";
-            (void)vbss_context_get_last_error(p->live.stage.context, NULL, &text);
-            fprintf(stderr, "viewer: %s: %s\n", vbss_result_string(result), text);
+        if (!succeeds(p, go_on(p))) {
             return false;
         }
         note_outcome(p);
@@ -192,6 +199,9 @@ int mode_live(const options *o)
         fprintf(stderr, "viewer: %s\n", why);
         return 2;
     }
+    if (!ghosts_read(&p)) {
+        return 2;
+    }
     if (o->hands != NULL || o->device_words > 0) {
         p.arms = arms_read(o->device_words, (char **)o->devices, o->hands);
         if (p.arms == NULL) {
@@ -205,5 +215,6 @@ int mode_live(const options *o)
     }
     arms_free(p.arms);
     starts_free(&p.states);
+    ghost_track_free(&p.track);
     return status;
 }

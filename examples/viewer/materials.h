@@ -33,6 +33,7 @@ static const char *const material_fragment[MATERIAL_PIECES] = {
     "uniform int kind, spot_count;\n"
     "uniform vec4 spots[32];\n" /* place at rest, radius; marks first */
     "uniform int mark_count;\n"
+    "uniform bool ghost;\n"
     "uniform vec3 eye, lamp;\n"
     "uniform float brightness, most_tension, clear, gone;\n"
     "uniform mat4 light;\n"
@@ -166,6 +167,11 @@ static const char *const material_fragment[MATERIAL_PIECES] = {
     "    c += s.albedo * vec3(0.050, 0.034, 0.030);\n" /* what the cavity gives back */
     /* of a pixel's samples; the places between their shares from noise */
     "    float there = clear > 0.0 ? smoothstep(gone * clear, clear, distance(eye, at)) : 1.0;\n"
+    "    if (ghost) {\n" /* a bright rim, and little else */
+    "        float rim = pow(1.0 - abs(dot(n, v)), 2.0);\n"
+    "        c = mix(vec3(0.05, 0.25, 0.30), vec3(0.35, 0.95, 1.00), rim);\n"
+    "        there *= 0.25 + 0.5 * rim;\n"
+    "    }\n"
     "    if (there <= 0.0) discard;\n"
     "    colour = vec4(c, there < 1.0 ? there + 0.25 * (hash(gl_FragCoord.xy) - 0.5) : 1.0);\n"
     "}\n"};

@@ -8,13 +8,14 @@ enum { MAX_DEVICE_WORDS = 32 };
 enum { MODE_NO_OPENGL = 77 }; /* what it exits with then */
 
 typedef struct options {
-    const char *log;                 /* to be played back */
-    const char *live;                /* or a scene to be played in */
-    const char *keep;                /* its log */
-    const char *exercise;            /* one skill, in place of the whole task; */
-    const char *starts, *progress;   /* its files; may be NULL */
-    const char *hands;               /* a log whose hands move its tools */
-    unsigned long seed;              /* of it */
+    const char *log;               /* to be played back */
+    const char *live;              /* or a scene to be played in */
+    const char *keep;              /* its log */
+    const char *exercise;          /* one skill, in place of the whole task; */
+    const char *starts, *progress; /* its files; may be NULL */
+    const char *ghost;             /* an expert's tools beside the person's: a file; may be NULL */
+    const char *hands;             /* a log whose hands move its tools */
+    unsigned long seed;            /* of it */
     char *devices[MAX_DEVICE_WORDS]; /* words for the trainer's part */
     int device_words;
     const char *folder; /* of stills */

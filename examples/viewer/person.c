@@ -91,6 +91,8 @@ static void on_key(void *user, int key, bool shift)
         (void)live_toggle_aid(&p->live, 1U << (key - GLFW_KEY_F2));
     } else if (key == GLFW_KEY_X) {
         (void)live_exchange(&p->live, p->live.active); /* refused with something in the jaws */
+    } else if (key == GLFW_KEY_G) {
+        ghosts_toggle(p);
     } else if (key == GLFW_KEY_TAB) {
         take_other(p);
     } else if (key == GLFW_KEY_P) {

@@ -91,6 +91,11 @@ static void upload(const renderer *r, const meshes *m)
                  GL_STREAM_DRAW);
 }
 
+static bool is_ghost(const renderer *r, const uint32_t *part)
+{
+    return r->ghost != 0 && part[1] == r->ghost;
+}
+
 static void draw_part(const uint32_t *part)
 {
     glDrawElements(GL_TRIANGLES, (GLsizei)(3 * part[6]), GL_UNSIGNED_INT,
@@ -111,7 +116,8 @@ static void draw_shadows(const renderer *r, const meshes *m, const camera_view *
     const uint32_t *parts = m->parts.data;
     for (uint64_t i = 0; i < m->parts.count; i++) {
         shadow_clear(&r->shadow, view->lamp, clear_of(parts + PART_WORDS * i, c));
-        if (parts[PART_WORDS * i] != VBSS_VISUAL_KIND_FLOOR) { /* which is below everything */
+        if (parts[PART_WORDS * i] != VBSS_VISUAL_KIND_FLOOR && /* which is below everything */
+            !is_ghost(r, parts + PART_WORDS * i)) {
             draw_part(parts + PART_WORDS * i);
         }
     }
@@ -167,6 +173,7 @@ static void draw_seen(const renderer *r, const meshes *m, const camera_view *vie
     for (uint64_t i = 0; i < m->parts.count; i++) {
         glUniform1i(named(r, "kind"), (GLint)parts[PART_WORDS * i]);
         glUniform1f(named(r, "clear"), clear_of(parts + PART_WORDS * i, c));
+        glUniform1i(named(r, "ghost"), is_ghost(r, parts + PART_WORDS * i));
         set_decals(r, m, i);
         draw_part(parts + PART_WORDS * i);
     }

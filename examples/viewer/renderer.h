@@ -15,6 +15,7 @@ typedef struct renderer {
     GLuint program, vertex_array, vertices, triangles;
     shadow shadow;
     lens lens;
+    uint32_t ghost;    /* source of the visual that is drawn as a ghost; 0: none */
     float max_tension; /* N, of the last of the colours that threads have then; 0: they are silk */
 } renderer;
 

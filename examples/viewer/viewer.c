@@ -5,6 +5,7 @@
  *     viewer --live ... --hands LOG [--fault NAME@FROM]   with the hands of a log, as mock devices
  *     viewer --exercise NAME [--starts FILE] [--progress FILE]   one skill: docs/guides/exercises.md; exercise_starts FILE
  *                                                         makes the first file
+ *     viewer --live stitch|--exercise NAME --ghost FILE   with an expert's tools beside one's own; ghost_track LOG FILE makes it
  *     viewer --replay LOG                                 in a window, with a time line
  *     viewer --replay LOG --png FOLDER [--every SECONDS]  stills, without a window
  *     viewer --replay LOG --mp4 FILE                      a film, by ffmpeg, without a window
@@ -63,10 +64,11 @@ static bool read_option(const char *name, const char *value, options *o)
     const struct {
         const char *name;
         const char **to;
-    } texts[] = {
-        {"--replay", &o->log},        {"--live", &o->live},     {"--log", &o->keep},
-        {"--hands", &o->hands},       {"--png", &o->folder},    {"--mp4", &o->film},
-        {"--exercise", &o->exercise}, {"--starts", &o->starts}, {"--progress", &o->progress}};
+    } texts[] = {{"--replay", &o->log},        {"--live", &o->live},
+                 {"--log", &o->keep},          {"--hands", &o->hands},
+                 {"--png", &o->folder},        {"--mp4", &o->film},
+                 {"--exercise", &o->exercise}, {"--starts", &o->starts},
+                 {"--progress", &o->progress}, {"--ghost", &o->ghost}};
     const struct {
         const char *name;
         double *to;
@@ -153,6 +155,7 @@ int main(int argc, char **argv)
                         "    [--hands LOG] [--openhaptics [LEFT[,RIGHT]]] [--nidaq [...]] "
                         "[--calibration FILE] and more, as the trainer has them\n"
                         "viewer --exercise NAME [--starts FILE] [--progress FILE]\n"
+                        "    [--ghost FILE]\n"
                         "viewer --replay LOG [--png FOLDER [--every SECONDS]] [--mp4 FILE]\n"
                         "    [--from SECONDS] [--to SECONDS] [--size WIDTHxHEIGHT] [--show "
                         "contacts,forces,tension,knot,task,times,help,coach,all]\n"

@@ -68,6 +68,15 @@ PAGE_CALL(int32_t, page_exercise)(int32_t exercise);
 /* VBSS_SESSION_AID_ bits of the aids that are on from the next step on. */
 PAGE_CALL(int32_t, page_set_aids)(uint32_t aids);
 
+/* ---- ghosts.c: an expert's tools beside the person's */
+
+/* The file of a track of ghost hands, which was put in the room of page_room; it stays for all sessions. */
+PAGE_CALL(int32_t, page_take_ghost)(void);
+/* Shows or hides them in this session, from the beginning of the phase. */
+PAGE_CALL(int32_t, page_show_ghost)(int32_t is_shown);
+/* The source of their parts in the meshes; 0: they are hidden. */
+PAGE_CALL(uint32_t, page_ghost)(void);
+
 /* ---- picture.c */
 
 /* The camera: turned to the right about the vertical, looking down by so much, that far away; width over height. */

@@ -62,7 +62,10 @@ const uint32_t *page_draw(void)
 {
     static uint32_t arrays[2 * FIELDS];
     page_session *p = page_get();
-    if (!p->there || vbss_visual_update(p->visual) != VBSS_OK) {
+    const double since = p->live.time - p->ghost_time;
+    p->ghost_time = p->live.time;
+    if (!p->there || page_step_ghost(p, since) != VBSS_OK ||
+        vbss_visual_update(p->visual) != VBSS_OK) {
         return NULL;
     }
     for (vbss_visual_field field = 0; field < FIELDS; field++) {

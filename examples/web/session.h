@@ -2,6 +2,7 @@
 #ifndef VBSS_EXAMPLES_WEB_SESSION_H
 #define VBSS_EXAMPLES_WEB_SESSION_H
 
+#include "ghost/ghost.h"
 #include "viewer/camera.h"
 #include "viewer/live.h"
 #include "viewer/player.h"
@@ -18,6 +19,9 @@ typedef struct page_session {
     camera camera;
     float aspect;
     uint64_t reported; /* events of the session */
+    ghost ghost;       /* an expert's tools, if `has_ghost` */
+    bool has_ghost, shows_ghost;
+    double ghost_time; /* of the scene, s, when they moved last */
 } page_session;
 
 page_session *page_get(void);
@@ -33,6 +37,8 @@ vbss_result page_take_mouse(page_session *p, int side);
 vbss_result page_play(page_session *p, int32_t count);
 /* What page_room has received, which is the caller's now. (replayed.c) */
 replay_log page_take_room(void);
+/* Moves the ghost hands, if they are shown. (ghosts.c) */
+vbss_result page_step_ghost(page_session *p, double seconds);
 /* The arms of live.h. (tracked.c) */
 arms *tracked_arms(void);
 /* The next session has no controllers yet. (tracked.c) */

@@ -21,7 +21,7 @@ EXEMPT = [
     (r"ctest ", "tests/run.sh all runs every test of the suites; those of -C real-time need an idle machine"),
     (r"\./examples/demo\.sh", "performs the whole task for minutes; test examples.demo_files_agree_with_its_log runs its program"),
     (r"\./examples/play\.sh", "opens a window for a person; tests examples.viewer_live to _pad operate the program by a script"),
-    (r"build/(default|release)/examples/(surgeon|viewer)/", "performs the task for minutes, or opens a window; tests examples.surgeon_* and viewer_* run them"),
+    (r"build/(default|release)/examples/(ghost|surgeon|viewer)/", "performs the task for minutes, or opens a window; tests examples.surgeon_* and viewer_* run them"),
     (r"\./examples/web\.sh", "installs a second compiler, and serves without end; test examples.web_build builds the page"),
     (r"\./docs/site\.sh", "installs Sphinx; test docs.site builds the site"),
     (r"\./bench/run\.sh ", "needs an idle machine and minutes to hours; tests bench.against and bench.summary run it on small cases"),

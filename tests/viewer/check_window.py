@@ -293,6 +293,34 @@ def check_near(viewer, folder):
         end(desk)
 
 
+# ---- ghost hands
+
+def count_ghost(path):
+    """Pixels of the colour of ghosts: green and blue well above red."""
+    return sum(1 for row in blocks.read_png(path) for i in range(0, len(row), 3) if min(row[i + 1:i + 3]) > row[i] + 15)
+
+
+def check_ghost(viewer, folder, track):
+    """It lies between the tools and the needle, and goes with them as they are led to it."""
+    with Desk(viewer, ["--live", "stitch", "--seed", "3", "--ghost", track], size="480x360") as desk:
+        desk.begin()
+        desk.go("right", (40e-3, -20e-3, 20e-3))
+        desk.run(300)  # it waits for 2 s, and comes
+        desk.picture(folder / "ghost.png")
+        shown = count_ghost(folder / "ghost.png")
+        desk.key("g")
+        desk.run(20)
+        desk.picture(folder / "hidden.png")
+        hidden = count_ghost(folder / "hidden.png")
+        print(f"{shown} pixels of a ghost, {hidden} without it")
+        assert shown > 200 and hidden < 0.1 * shown
+        desk.key("g")
+        desk.run(20)
+        desk.picture(folder / "again.png")
+        assert count_ghost(folder / "again.png") > hidden + 30
+        end(desk)
+
+
 # ---- a context that is lost
 
 ANEW = "viewer: the graphics context was lost and is made anew\n"
@@ -466,7 +494,7 @@ def main():
         return 1
     {"live": check_live, "needle": check_needle, "throw": check_throw, "replay": check_replay, "surgeon": check_surgeon,
      "film": check_film, "lost": check_lost, "pad": check_pad, "devices": check_devices,
-     "near": check_near}[what](viewer, folder, *sys.argv[4:])
+     "near": check_near, "ghost": check_ghost}[what](viewer, folder, *sys.argv[4:])
     return 0
 
 

@@ -346,6 +346,25 @@ def check_exercises(page, folder):
     print("a square throw begins with the first one seated; aids by the keyboard; progress is counted")
 
 
+def check_ghost(page, folder):
+    """An expert's tools are in the picture, in the next session, too, until they are switched off."""
+    page.click("#choose")
+    page.click('[data-name="take_needle"]')
+    page.until("suturing.shown.state.exercise && suturing.shown.state.exercise.name === 'take_needle' && suturing.shown.state.steps > 20")
+    assert page.run("suturing.renderer.ghost") == 0
+    page.click("#ghost")
+    page.until("suturing.renderer.ghost > 0")
+    page.picture(folder / "ghost.png")
+    parts = page.run("[...suturing.renderer.meshes.parts].filter((n, i) => i % 8 === 1 && n === suturing.renderer.ghost).length")
+    assert parts == 2, parts
+    page.click("#again")
+    page.until("suturing.shown.state.steps < 200 && suturing.renderer.ghost > 0")
+    page.key("keyDown", "g")
+    page.until("suturing.renderer.ghost === 0")
+    page.key("keyUp", "g")
+    print("ghost hands: two tools, also after a new beginning, until they are switched off")
+
+
 def complaints_of(chromium, page):
     """What it said, and what it asked for beside itself and its own worker."""
     asked = [url for url in chromium.requests if url != page.as_uri() and not url.startswith("blob:")]
@@ -374,5 +393,6 @@ def check_desk(page_file, folder, calls_natively, replay):
         shared = share(page, folder, "shared")
         check_played(page, folder)
         check_exercises(page, folder)
+        check_ghost(page, folder)
         complaints = complaints_of(chromium, page_file)
     return complaints + check_shared(shared, folder, log, recorded)

@@ -130,7 +130,7 @@ export class Desk {
     if (event.altKey || event.ctrlKey || event.metaKey || (inButton && (key === ' ' || key === 'Enter' || key === 'Tab'))) return;
     if (key === 'Tab' && !this.taken) return; // from button to button, as on any page
     if (!event.repeat) {
-      const once = { Tab: () => this.other(), p: this.act.pause, r: this.act.again, h: this.act.help, 3: this.act.tension,
+      const once = { Tab: () => this.other(), p: this.act.pause, r: this.act.again, h: this.act.help, g: this.act.ghost, 3: this.act.tension,
         x: () => this.send({ name: 'exchange', side: this.side }), ',': () => this.act.jump(-1, event.shiftKey), '.': () => this.act.jump(1, event.shiftKey),
         '<': () => this.act.jump(-1, true), '>': () => this.act.jump(1, true), Home: () => { this.look = { ...this.firstLook }; },
         Escape: () => this.release() };

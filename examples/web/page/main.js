@@ -12,7 +12,7 @@ import { Timeline } from './timeline.js';
 
 const $ = id => document.getElementById(id);
 const MAX_PIXELS = 2; // a unit of the screen
-const BY_HANDS = ['move', 'pull', 'close', 'clutch', 'exchange', 'track', 'pose', 'aids'];
+const BY_HANDS = ['move', 'pull', 'close', 'clutch', 'exchange', 'track', 'pose', 'aids', 'ghost'];
 
 function download(blob, name) {
   const link = document.createElement('a');
@@ -36,12 +36,12 @@ class Page {
     this.renderer = this.arrived = this.shown = this.last = null;
     this.buffers = {};
     this.frames = 0;
-    this.asked = this.mirrored = false;
+    this.asked = this.mirrored = this.showsGhost = false;
     this.progress = new Progress(window.localStorage);
     this.settings = new Settings($, () => this.restyle());
     this.restyle();
     this.timeline = new Timeline($, step => this.send({ name: 'seek', step }));
-    const act = { pause: () => this.pause(!this.paused), again: () => this.begin(), help: () => this.help(), tension: () => this.tension(),
+    const act = { pause: () => this.pause(!this.paused), again: () => this.begin(), help: () => this.help(), tension: () => this.tension(), ghost: () => this.ghost(),
       jump: (direction, isSmall) => this.timeline.jump(direction, isSmall) };
     this.desk = new Desk($('canvas'), message => this.send(message), act);
     this.headset = new Headset(this);
@@ -91,6 +91,7 @@ class Page {
     this.firstLook = this.mirrored ? { ...look, aside: -look.aside } : look;
     this.desk.look = this.desk.look || { ...this.firstLook };
     this.fresh = true;
+    if (this.showsGhost) this.send({ name: 'ghost', shown: true });
   }
 
   hearFrame(frame) {
@@ -182,6 +183,13 @@ class Page {
     $('help-button').setAttribute('aria-expanded', String(!$('help').hidden));
   }
 
+  // An expert's tools beside the person's.
+  ghost() {
+    this.showsGhost = !this.showsGhost;
+    $('ghost').setAttribute('aria-pressed', String(this.showsGhost));
+    this.send({ name: 'ghost', shown: this.showsGhost });
+  }
+
   tension() {
     this.renderer.showsTension = !this.renderer.showsTension;
   }
@@ -230,7 +238,7 @@ class Page {
     const clicks = { 'aids-button': () => {
       $('aids').hidden = !$('aids').hidden;
       $('aids-button').setAttribute('aria-expanded', String(!$('aids').hidden));
-    }, pause: () => this.pause(!this.paused), again: () => this.begin(), 'help-button': () => this.help(),
+    }, ghost: () => this.ghost(), pause: () => this.pause(!this.paused), again: () => this.begin(), 'help-button': () => this.help(),
       'close-report': () => { $('report').hidden = true; }, save: () => this.send({ name: 'log', end: true }), share: () => this.share(),
       headset: () => this.headset.enter().catch(error => this.fail(error.message)),
       choose: () => {
@@ -264,6 +272,7 @@ class Page {
 
   show(frame, now) {
     this.renderer.upload(frame.arrays);
+    this.renderer.ghost = frame.ghost;
     for (const [name, array] of Object.entries(frame.arrays)) this.buffers[name] = array.buffer;
     this.timeline.show(frame.state);
     this.arrivedState = frame.state;

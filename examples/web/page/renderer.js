@@ -23,6 +23,7 @@ export class Renderer {
     this.gl = gl;
     this.showsTension = false;
     this.meshes = null;
+    this.ghost = 0; // source of the parts that are drawn as ghosts; 0: none
     this.material = new Program(gl, 'materials', programs.material);
     this.shadow = new Program(gl, 'shadow', programs.shadow);
     this.lens = new Lens(gl, programs.lens);
@@ -67,8 +68,8 @@ export class Renderer {
   eachPart(draw) {
     const { parts } = this.meshes;
     for (let i = 0; i < parts.length / PART_WORDS; i++) {
-      const [kind, , , , , first, count] = parts.subarray(PART_WORDS * i, PART_WORDS * (i + 1));
-      draw(kind, i, () => this.gl.drawElements(this.gl.TRIANGLES, 3 * count, this.gl.UNSIGNED_INT, 12 * first));
+      const [kind, source, , , , first, count] = parts.subarray(PART_WORDS * i, PART_WORDS * (i + 1));
+      draw(kind, i, this.ghost !== 0 && source === this.ghost, () => this.gl.drawElements(this.gl.TRIANGLES, 3 * count, this.gl.UNSIGNED_INT, 12 * first));
     }
   }
 
@@ -85,9 +86,9 @@ export class Renderer {
     gl.enable(gl.POLYGON_OFFSET_FILL);
     gl.polygonOffset(2, 4);
     gl.bindVertexArray(this.array);
-    this.eachPart((kind, i, draw) => {
+    this.eachPart((kind, i, isGhost, draw) => {
       gl.uniform1f(shadow.at('clear'), kind === DRIVER || kind === SHEARS ? view.clear : 0);
-      if (kind !== FLOOR) draw(); // which is below everything
+      if (kind !== FLOOR && !isGhost) draw(); // which is below everything
     });
     gl.disable(gl.POLYGON_OFFSET_FILL);
   }
@@ -125,8 +126,9 @@ export class Renderer {
     gl.bindTexture(gl.TEXTURE_2D, this.depth);
     gl.uniform1i(material.at('shadow'), 0);
     gl.bindVertexArray(this.array);
-    this.eachPart((kind, i, draw) => {
+    this.eachPart((kind, i, isGhost, draw) => {
       gl.uniform1i(material.at('kind'), kind);
+      gl.uniform1i(material.at('ghost'), isGhost ? 1 : 0);
       gl.uniform1f(material.at('clear'), kind === DRIVER || kind === SHEARS ? view.clear : 0);
       this.setSpots(i);
       draw();

@@ -46,6 +46,12 @@ export class Simulation {
     this.check(this.calls.page_exercise(number), 'the exercise cannot begin');
   }
 
+  // The track of ghost hands, for all sessions.
+  takeGhost(bytes) {
+    this.put(bytes);
+    this.check(this.calls.page_take_ghost(), 'the ghost hands are damaged');
+  }
+
   // A log as it was saved, in place of hands.
   replay(bytes) {
     this.put(bytes);

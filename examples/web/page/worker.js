@@ -1,6 +1,7 @@
 // Runs the session: steps of a millisecond against the clock, in slices, between which messages are heard. The page asks for
 // each picture; its buffers go to and fro.
 import packed from 'suturing-module';
+import packedGhost from 'suturing-ghost';
 import packedStarts from 'suturing-starts';
 import { unpack } from './packing.js';
 import { FINEST, choose } from './resolution.js';
@@ -80,6 +81,10 @@ export const heard = {
   aids({ aids }) {
     simulation.check(simulation.calls.page_set_aids(aids), 'aids');
   },
+  // Scenes without the task have no ghost hands.
+  ghost({ shown }) {
+    simulation.calls.page_show_ghost(shown ? 1 : 0);
+  },
   // A saved log, as bytes: it is played from its beginning.
   replay({ bytes }) {
     simulation.replay(new Uint8Array(bytes));
@@ -103,7 +108,7 @@ export const heard = {
     simulation.calls.page_set_camera(look.aside, look.down, look.away, look.aspect);
     const arrays = simulation.draw(buffers);
     const { steps, late, givenUp } = clock;
-    const frame = { arrays, view: simulation.view(), state: simulation.state(),
+    const frame = { arrays, ghost: simulation.calls.page_ghost(), view: simulation.view(), state: simulation.state(),
       clock: { steps, late, givenUp, factor: clock.measure(performance.now()), stepTime, paused, memory: simulation.calls.memory.buffer.byteLength } };
     postMessage({ frame }, Object.values(arrays).map(array => array.buffer));
   },
@@ -151,6 +156,7 @@ async function load() {
   const begin = performance.now();
   simulation = await Simulation.load(await unpack(packed), text => console.log(text));
   starts = await unpack(packedStarts);
+  simulation.takeGhost(await unpack(packedGhost));
   postMessage({ ready: { milliseconds: performance.now() - begin } });
 }
 
