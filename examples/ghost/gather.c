@@ -11,7 +11,7 @@ vbss_result ghost_gather(ghost_rows *g, const stitch *t, vbss_session *session)
         return VBSS_ERROR_OUT_OF_MEMORY;
     }
     g->seen = more;
-    return ghost_look(t, session, &more[g->all.count - 1], row);
+    return ghost_observe(t, session, &more[g->all.count - 1], row);
 }
 
 static ghost_phase longest_part(const ghost_rows *g, int32_t wanted)

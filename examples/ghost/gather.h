@@ -2,7 +2,7 @@
 #ifndef VBSS_EXAMPLES_GHOST_GATHER_H
 #define VBSS_EXAMPLES_GHOST_GATHER_H
 
-#include "ghost/look.h"
+#include "ghost/observe.h"
 
 /* Every row, and what the scene was like then. */
 typedef struct ghost_rows {

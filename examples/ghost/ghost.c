@@ -6,8 +6,8 @@
 #include "throw/rig.h"
 
 #define LEAD 0.015   /* m: so far ahead of the trainee's tool a ghost's goes */
-#define MOVING 0.002 /* m in LOOK: a tool that goes less does not lead */
-#define LOOK 0.5     /* s */
+#define MOVING 0.002 /* m in AHEAD: a tool that goes less does not lead */
+#define AHEAD 0.5     /* s */
 #define PATIENCE \
     2.0 /* s of waiting: then it goes where its path is nearest to the trainee's tool */
 
@@ -135,7 +135,7 @@ static unsigned sides_behind(const ghost *g, const ghost_seen *seen)
     for (int side = 0; side < GHOST_SIDES; side++) {
         ghost_pose now, soon;
         pose_at(g, side, g->time, &now);
-        pose_at(g, side, g->time + LOOK, &soon);
+        pose_at(g, side, g->time + AHEAD, &soon);
         if (distance(now.position, soon.position) > MOVING &&
             distance(now.position, seen->tips[side]) > LEAD) {
             sides |= 1U << side;

@@ -1,7 +1,7 @@
 /* An expert's tools beside the person's. */
 #include <stdio.h>
 
-#include "ghost/look.h"
+#include "ghost/observe.h"
 #include "playing.h"
 
 bool ghosts_read(playing *p)
@@ -33,7 +33,7 @@ vbss_result ghosts_step(playing *p, double seconds)
     if (!p->has_ghost || p->hides_ghost || !(seconds > 0.0)) {
         return VBSS_OK;
     }
-    TRY(ghost_look(p->live.stage.tasked, p->live.stage.task.session, &seen, tools));
+    TRY(ghost_observe(p->live.stage.tasked, p->live.stage.task.session, &seen, tools));
     TRY(ghost_step(&p->ghost, &seen, seconds));
     p->show.renderer.ghost = p->ghost.source;
     return VBSS_OK;

@@ -1,7 +1,7 @@
 /* Ghost hands in the page. */
 #include <stdlib.h>
 
-#include "ghost/look.h"
+#include "ghost/observe.h"
 #include "page.h"
 #include "session.h"
 
@@ -57,6 +57,6 @@ vbss_result page_step_ghost(page_session *p, double seconds)
     if (!p->shows_ghost || !(seconds > 0.0)) {
         return VBSS_OK;
     }
-    TRY(ghost_look(p->live.stage.tasked, p->live.stage.task.session, &seen, tools));
+    TRY(ghost_observe(p->live.stage.tasked, p->live.stage.task.session, &seen, tools));
     return ghost_step(&p->ghost, &seen, seconds);
 }

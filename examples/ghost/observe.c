@@ -1,8 +1,8 @@
-#include "ghost/look.h"
+#include "ghost/observe.h"
 
 #include <string.h>
 
-static vbss_result look_at_tool(vbss_grasper *grasper, double tip[3], ghost_pose *p)
+static vbss_result observe_tool(vbss_grasper *grasper, double tip[3], ghost_pose *p)
 {
     vbss_grasper_state now;
     TRY(vbss_grasper_get_state(grasper, &now, sizeof now));
@@ -14,7 +14,7 @@ static vbss_result look_at_tool(vbss_grasper *grasper, double tip[3], ghost_pose
     return VBSS_OK;
 }
 
-vbss_result ghost_look(const stitch *t, vbss_session *session, ghost_seen *seen,
+vbss_result ghost_observe(const stitch *t, vbss_session *session, ghost_seen *seen,
                        ghost_pose tools[GHOST_SIDES])
 {
     vbss_session_status status;
@@ -25,6 +25,6 @@ vbss_result ghost_look(const stitch *t, vbss_session *session, ghost_seen *seen,
     memcpy(seen->scene.needle + 3, needle.q, sizeof needle.q);
     v_store(seen->scene.marks[0], site_mark(&t->site, SITE_LEFT));
     v_store(seen->scene.marks[1], site_mark(&t->site, SITE_RIGHT));
-    TRY(look_at_tool(t->left.grasper, seen->tips[0], &tools[0]));
-    return look_at_tool(t->right.grasper, seen->tips[1], &tools[1]);
+    TRY(observe_tool(t->left.grasper, seen->tips[0], &tools[0]));
+    return observe_tool(t->right.grasper, seen->tips[1], &tools[1]);
 }
