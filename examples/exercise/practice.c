@@ -28,37 +28,13 @@ void practice_note(vbss_session_exercise exercise, char note[PRACTICE_NOTE])
     snprintf(note, PRACTICE_NOTE, "vbss exercise %s seed 0", vbss_session_exercise_name(exercise));
 }
 
-/* ---- the session, as examples/surgeon/task.c makes that of the whole task */
-
-static vbss_result create_session(task *k, const stitch *t, vbss_session_exercise exercise,
-                                  vbss_replay *replay)
-{
-    const site *s = &t->site;
-    vbss_session_config c;
-    vbss_metrics_config measures;
-    memset(k, 0, sizeof *k);
-    TRY(vbss_metrics_config_init(&measures, sizeof measures));
-    measures.drain_radius = s->tube;
-    TRY(vbss_metrics_create(s->rig.context, &measures, &k->metrics));
-    TRY(vbss_knot_detector_create(s->rig.context, NULL, &k->knots));
-    TRY(vbss_session_config_init(&c, sizeof c));
-    c.thread = s->rig.thread_body;
-    c.needle = s->needle_body;
-    c.drain = s->drain_body;
-    c.tools[0] = t->left.body;
-    c.tools[1] = t->right.body;
-    c.knots = k->knots;
-    c.metrics = k->metrics;
-    c.replay = replay;
-    c.coaching = 1;
-    c.exercise = exercise;
-    return vbss_session_create(s->rig.scene, &c, &k->session);
-}
+/* ---- the session */
 
 vbss_result practice_follow(task *k, const stitch *t, vbss_session_exercise exercise,
                             vbss_replay *replay)
 {
-    return create_session(k, t, exercise, replay);
+    const task_plan plan = {.coaching = true, .exercise = exercise};
+    return task_create_as(k, t, NULL, replay, &plan);
 }
 
 vbss_result practice_begin(task *k, const stitch *t, vbss_session_exercise exercise,
@@ -67,13 +43,13 @@ vbss_result practice_begin(task *k, const stitch *t, vbss_session_exercise exerc
     start_place place = practice_place(exercise);
     const start_state *state = states != NULL ? &states->at[place] : NULL;
     if (place == START_NEW) {
-        return create_session(k, t, exercise, NULL);
+        return practice_follow(k, t, exercise, NULL);
     }
     if (state == NULL || state->scene == NULL) {
         return VBSS_ERROR_NOT_FOUND;
     }
     TRY(vbss_scene_restore(t->site.rig.scene, state->scene, state->scene_bytes));
-    TRY(create_session(k, t, exercise, NULL));
+    TRY(practice_follow(k, t, exercise, NULL));
     return vbss_session_begin_at(k->session, state->session, state->session_bytes);
 }
 

@@ -35,6 +35,7 @@ vbss_result task_create_as(task *k, const stitch *t, vbss_record *record, vbss_r
     c.replay = replay;
     c.time_limit = plan->time_limit > 0.0 ? plan->time_limit : c.time_limit;
     c.coaching = plan->coaching;
+    c.exercise = plan->exercise;
     return vbss_session_create(s->rig.scene, &c, &k->session);
 }
 

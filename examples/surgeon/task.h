@@ -4,6 +4,7 @@
 #define VBSS_EXAMPLES_SURGEON_TASK_H
 
 #include <vblast_ss/session_coaching.h>
+#include <vblast_ss/session_exercise.h>
 
 #include "needle/stitch.h"
 
@@ -18,6 +19,7 @@ vbss_result task_create(task *k, const stitch *t, vbss_record *record, vbss_repl
 typedef struct task_plan {
     double time_limit; /* s; 0: the usual one */
     bool coaching;
+    vbss_session_exercise exercise; /* NONE: the whole task */
 } task_plan;
 
 vbss_result task_create_as(task *k, const stitch *t, vbss_record *record, vbss_replay *replay,
