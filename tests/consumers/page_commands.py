@@ -25,7 +25,7 @@ EXEMPT = [
     (r"\./examples/web\.sh", "installs a second compiler, and serves without end; test examples.web_build builds the page"),
     (r"cmake --preset default && cmake --build --preset default --target web_performed_page", "builds the library for browsers; test examples.web_performed_build does"),
     (r"python3 tests/web/film_task\.py", "performs the whole task for minutes in a browser, with ffmpeg"),
-    (r"build/release/examples/replay_page/vbss-replay-page suturing\.vbss", "reads the log of a person; tests replay_page.* make pages of other logs"),
+    (r"build/release/examples/replay_page/vbss-replay-page suturing\.vbss", "reads the log of a person; tests examples.replay_logs and examples.replay_page make pages of other logs"),
     (r"\./docs/site\.sh", "installs Sphinx; test docs.site builds the site"),
     (r"\./bench/run\.sh ", "needs an idle machine and minutes to hours; tests bench.against and bench.summary run it on small cases"),
     (r"(python3 )?bench/knots_hold/run\.py", "2440 knots take 35 minutes; a soak, knot_holding, runs samples"),
