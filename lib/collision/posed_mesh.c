@@ -5,86 +5,32 @@
  * feature of another shape can only come near nodes in its own box, in that frame, extended by the
  * opposite of the bounds. So one query of a tree at rest finds all of them. The pairs do not depend
  * on earlier searches. */
-#include "base/error.h"
 #include "collision/shapes.h"
 #include "collision/tuning.h"
 
 #include <string.h>
 
-enum { POSED_ARRAYS = 4 };
-
-static void list_arrays(const collision_shape *s, collision_posed *p,
-                        vbss_array arrays[POSED_ARRAYS])
+void vbss_collision_list_posed_arrays(const collision_shape *s, collision_posed *p,
+                                      vbss_array arrays[COLLISION_POSED_ARRAYS])
 {
     const uint32_t features = collision_max_features(s);
     const uint32_t found = features > s->node_count ? features : s->node_count;
-    const vbss_array all[POSED_ARRAYS] = {{&p->local, s->node_count, sizeof *p->local},
-                                          {&p->set_nodes, s->node_count, sizeof *p->set_nodes},
-                                          {&p->mark, s->node_count, sizeof *p->mark},
-                                          {&p->found, found, sizeof *p->found}};
+    const vbss_array all[COLLISION_POSED_ARRAYS] = {
+        {&p->local, s->node_count, sizeof *p->local},
+        {&p->set_nodes, s->node_count, sizeof *p->set_nodes},
+        {&p->mark, s->node_count, sizeof *p->mark},
+        {&p->found, found, sizeof *p->found}};
     memcpy(arrays, all, sizeof all);
-}
-
-/* ---- creation */
-
-static void set_local_boxes(collision_shape *s, collision_posed *p)
-{
-    vec3 low = p->local[0], high = low;
-    for (uint32_t i = 0; i < s->node_count; i++) {
-        const vec3 x = p->local[i];
-        low = vec3_make(vbss_min(low.x, x.x), vbss_min(low.y, x.y), vbss_min(low.z, x.z));
-        high = vec3_make(vbss_max(high.x, x.x), vbss_max(high.y, x.y), vbss_max(high.z, x.z));
-        s->point_bvh.boxes[i] =
-            (collision_aabb){{x.x - s->inflation, x.y - s->inflation, x.z - s->inflation, 0.0},
-                             {x.x + s->inflation, x.y + s->inflation, x.z + s->inflation, 0.0}};
-    }
-    p->centre = vec3_scale(vec3_add(low, high), 0.5);
-    p->half = vec3_scale(vec3_sub(high, low), 0.5);
-    vbss_collision_shape_invalidate_trees(s);
-    vbss_collision_shape_refit_points(s);
-    vbss_collision_shape_refit_edges(s);
-    vbss_collision_shape_refit_triangles(s);
-    s->boxes_valid = true;
-}
-
-vbss_result vbss_collision_make_posed(collision_object *c, uint32_t id, const double *positions,
-                                      const pose *frame, pose at)
-{
-    collision_shape *s = c->shapes[id];
-    vbss_array arrays[POSED_ARRAYS];
-    collision_posed *p = vbss_allocate(c->context, 1, sizeof *p, "posed mesh");
-    if (p == NULL) {
-        return VBSS_ERROR_OUT_OF_MEMORY;
-    }
-    list_arrays(s, p, arrays);
-    const vbss_result result = vbss_allocate_arrays(c->context, arrays, POSED_ARRAYS, "posed mesh");
-    if (result != VBSS_OK) {
-        vbss_release_arrays(c->context, arrays, POSED_ARRAYS);
-        vbss_release(c->context, p, 1, sizeof *p);
-        return result;
-    }
-    for (uint32_t i = 0; i < s->node_count; i++) {
-        const vec3 x = vec3_load(positions + 3 * (size_t)i);
-        p->local[i] = frame != NULL ? pose_apply_inverse(*frame, x) : x;
-    }
-    p->start = p->end = at;
-    p->extrapolation = 1.0;
-    p->present_mark = 1;
-    s->posed = p;
-    s->is_rigid = true;
-    set_local_boxes(s, p);
-    vbss_collision_update_posed_box(s);
-    return VBSS_OK;
 }
 
 void vbss_collision_free_posed(vbss_context *context, collision_shape *s)
 {
-    vbss_array arrays[POSED_ARRAYS];
+    vbss_array arrays[COLLISION_POSED_ARRAYS];
     if (s->posed == NULL) {
         return;
     }
-    list_arrays(s, s->posed, arrays);
-    vbss_release_arrays(context, arrays, POSED_ARRAYS);
+    vbss_collision_list_posed_arrays(s, s->posed, arrays);
+    vbss_release_arrays(context, arrays, COLLISION_POSED_ARRAYS);
     vbss_release(context, s->posed, 1, sizeof *s->posed);
     s->posed = NULL;
 }
@@ -169,7 +115,7 @@ static middle_box displacements_of(const collision_posed *p)
 
 /* ---- motion */
 
-static void begin_set(collision_shape *s)
+void vbss_collision_begin_posed_set(collision_shape *s)
 {
     collision_posed *p = s->posed;
     p->set_count = 0;
@@ -179,27 +125,6 @@ static void begin_set(collision_shape *s)
         memset(p->mark, 0, s->node_count * sizeof *p->mark);
         p->present_mark = 1;
     }
-}
-
-static bool is_pose_finite(pose at)
-{
-    return vec3_is_finite(at.position) && quat_is_finite(at.orientation);
-}
-
-vbss_result vbss_collision_set_pose_motion(collision_object *c, uint32_t id, pose start, pose end,
-                                           double extrapolation)
-{
-    collision_shape *s = c->shapes[id];
-    if (!is_pose_finite(start) || !is_pose_finite(end)) {
-        return vbss_fail(c->context, VBSS_ERROR_NOT_FINITE, "a pose of a mesh is not finite");
-    }
-    s->posed->start = start;
-    s->posed->end = end;
-    s->posed->extrapolation = extrapolation;
-    begin_set(s);
-    vbss_collision_clear_results(c); /* candidates of other positions would be incomplete */
-    c->generation++;
-    return VBSS_OK;
 }
 
 /* Sets the end of a node's motion and its displacement. */
@@ -232,29 +157,29 @@ static bool is_same_pose(pose a, pose b)
            a.orientation.z == b.orientation.z;
 }
 
-/* Bound of the magnitude of each component of the way of any node from one pose to another. */
-static vec3 largest_way(const collision_shape *s, pose from, pose to)
+/* Bound of the magnitude of each component of the displacement of any node from one pose to another. */
+static vec3 largest_components(const collision_shape *s, pose from, pose to)
 {
     const collision_posed *p = s->posed;
     if (is_same_pose(from, to)) {
         return vec3_zero();
     }
     const mat3 map = mat3_sub(quat_to_mat3(to.orientation), quat_to_mat3(from.orientation));
-    const middle_box way =
+    const middle_box moved =
         map_box(map, vec3_sub(to.position, from.position), (middle_box){p->centre, p->half});
-    return vec3_make(fabs(way.centre.x) + way.half.x, fabs(way.centre.y) + way.half.y,
-                     fabs(way.centre.z) + way.half.z);
+    return vec3_make(fabs(moved.centre.x) + moved.half.x, fabs(moved.centre.y) + moved.half.y,
+                     fabs(moved.centre.z) + moved.half.z);
 }
 
 double vbss_collision_largest_offset(const collision_shape *s, pose from, pose to)
 {
-    const vec3 way = largest_way(s, from, to);
-    return vbss_max_or_nan(way.x, vbss_max_or_nan(way.y, way.z));
+    const vec3 moved = largest_components(s, from, to);
+    return vbss_max_or_nan(moved.x, vbss_max_or_nan(moved.y, moved.z));
 }
 
 double vbss_collision_largest_distance(const collision_shape *s, pose from, pose to)
 {
-    return vec3_norm(largest_way(s, from, to));
+    return vec3_norm(largest_components(s, from, to));
 }
 
 /* ---- searches */
@@ -283,7 +208,7 @@ void vbss_collision_update_posed_box(collision_shape *s)
 void vbss_collision_begin_posed_search(collision_shape *s)
 {
     collision_posed *p = s->posed;
-    begin_set(s);
+    vbss_collision_begin_posed_set(s);
     p->previous = p->searched;
     p->searched = p->start;
     p->search_count = p->search_count < 2 ? p->search_count + 1 : 2;

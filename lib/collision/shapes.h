@@ -190,13 +190,16 @@ vbss_result vbss_collision_create_mesh(collision_object *c, uint32_t node_count,
 collision_shape *vbss_collision_exchange_shape(collision_object *c, uint32_t id,
                                                collision_shape *shape);
 
-/* ---- posed meshes (posed_mesh.c), for objects created with caches_separation */
+/* ---- posed meshes (add_posed_mesh.c, posed_mesh.c), for objects created with caches_separation */
 
 /* Makes a new mesh a posed one, at a pose. `positions`: three finite numbers for each of its nodes, in the
  * frame in which the frame of the mesh has the pose `frame`; NULL: in the frame of the mesh.
  * VBSS_ERROR_OUT_OF_MEMORY; then nothing has changed. */
 vbss_result vbss_collision_make_posed(collision_object *c, uint32_t id, const double *positions,
                                       const pose *frame, pose at);
+enum { COLLISION_POSED_ARRAYS = 4 };
+void vbss_collision_list_posed_arrays(const collision_shape *shape, collision_posed *posed,
+                                      vbss_array arrays[COLLISION_POSED_ARRAYS]);
 void vbss_collision_free_posed(vbss_context *context, collision_shape *shape);
 
 /* Sets the motion of a posed mesh, as vbss_collision_set_motion that of another shape: its nodes move
@@ -210,7 +213,9 @@ void vbss_collision_set_end_pose(collision_shape *shape, pose end);
 double vbss_collision_largest_offset(const collision_shape *shape, pose from, pose to);
 double vbss_collision_largest_distance(const collision_shape *shape, pose from, pose to);
 
-/* Steps of a search: updates the box of the whole mesh; begins a new set of nodes; finds out whether other
+/* Begins a set of nodes, of which none has positions yet. */
+void vbss_collision_begin_posed_set(collision_shape *shape);
+/* Steps of a search: updates the box of the whole mesh; begins the set of its nodes; finds out whether other
  * shapes are near. */
 void vbss_collision_update_posed_box(collision_shape *shape);
 void vbss_collision_begin_posed_search(collision_shape *shape);

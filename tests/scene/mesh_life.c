@@ -182,8 +182,8 @@ static void move_rigid_mesh(life *l, uint32_t step)
     const pose then = pose_make(l->place, l->orientation);
     for (uint32_t i = 0; i < l->config.vertex_count; i++) {
         const vec3 x = vec3_load(l->vertices[i]);
-        const double way = vec3_distance(pose_apply(now, x), pose_apply(then, x));
-        l->result->fastest_vertex = fmax(l->result->fastest_vertex, way / h);
+        const double distance = vec3_distance(pose_apply(now, x), pose_apply(then, x));
+        l->result->fastest_vertex = fmax(l->result->fastest_vertex, distance / h);
     }
     pose_store(then, position, orientation);
     expect_ok(vbss_scene_set_rigid_target(l->s.scene, l->mesh, position, orientation));

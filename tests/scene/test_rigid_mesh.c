@@ -199,11 +199,11 @@ static vec3 press_box(bool moves)
     }
     for (int i = 1; i <= 400; i++) {
         const double part = fmin(1.0, i / 200.0);
-        const vec3 way = vec3_make(1.5e-3 * part * part, 2e-3 * part, 0.5e-3 * part);
+        const vec3 path = vec3_make(1.5e-3 * part * part, 2e-3 * part, 0.5e-3 * part);
         if (moves) {
-            small_move(&s, body, vec3_add(below, way));
+            small_move(&s, body, vec3_add(below, path));
         } else {
-            small_move(&s, carrier, vec3_sub(vec3_make(0.0, 90e-3, 0.0), way));
+            small_move(&s, carrier, vec3_sub(vec3_make(0.0, 90e-3, 0.0), path));
         }
         small_steps(&s, 1, 1e-3);
     }
@@ -257,9 +257,9 @@ static void add_cylinder(capstan *c)
     expect_ok(vbss_scene_add_rigid_mesh(c->rig.scene, NULL, &mesh, &cylinder));
 }
 
-static void turn_cylinder(capstan *c, double way)
+static void turn_cylinder(capstan *c, double distance)
 {
-    turned += way / CAPSTAN_RADIUS;
+    turned += distance / CAPSTAN_RADIUS;
     const double at[3] = {0.0, 0.0, 0.0};
     const double orientation[4] = {cos(0.5 * turned), 0.0, 0.0, sin(0.5 * turned)};
     expect_ok(vbss_scene_set_rigid_target(c->rig.scene, cylinder, at, orientation));
