@@ -285,6 +285,43 @@ static void tension_over_a_turning_mesh_follows_capstan_equation(void **state)
     }
 }
 
+/* ---- tissue */
+
+/* A box presses the wall of a drain from above: it is pushed up, and no node of the wall gets into it. */
+static void box_presses_a_drain(void **state)
+{
+    (void)state;
+    small s;
+    vbss_drain *drain;
+    begin(&s);
+    s.config.drain_capacity = 1;
+    small_create(&s);
+    const uint32_t wall = small_drain(&s, &drain);
+    const drain_object *d = vbss_scene_body(small_object(&s), wall)->drain.drain;
+    vec3 highest = d->x[0];
+    for (uint32_t i = 0; i < d->mesh.node_count; i++) {
+        highest = d->x[i].y > highest.y ? d->x[i] : highest;
+    }
+    const double half = 2e-3, outside = half + 0.5 * THICKNESS + 0.5 * d->config.thickness;
+    const vec3 above = vec3_add(highest, vec3_make(0.0, outside + 0.2e-3, 0.0));
+    const uint32_t body =
+        add_box(&s, VBSS_SCENE_RIGID_DRIVEN, vec3_make(3e-3, half, 3e-3), THICKNESS, above);
+    double force = 0.0;
+    for (int i = 1; i <= 60; i++) {
+        small_move(&s, body, vec3_add(above, vec3_make(0.0, -0.02e-3 * i, 0.0)));
+        small_steps(&s, 1, 1e-3);
+        force = fmax(force, force_on(&s, body).y);
+        const vec3 middle = small_position(&s, body);
+        for (uint32_t k = 0; k < d->mesh.node_count; k++) {
+            const vec3 at = vec3_sub(d->x[k], middle);
+            assert_true(fabs(at.x) > 3e-3 || fabs(at.z) > 3e-3 || at.y < -half);
+        }
+    }
+    assert_true(force > 1e-3);
+    expect_near(0.0, small_position(&s, body).y - (above.y - 1.2e-3), 1e-6);
+    small_end(&s);
+}
+
 /* ---- momentum and energy */
 
 /* A thread flies against a free box, off its centre. */
@@ -504,6 +541,30 @@ static vbss_result try_box(small *s, const vbss_scene_static_mesh_config *config
     return vbss_scene_add_rigid_mesh(s->scene, &s->rigid, config, body);
 }
 
+/* Adds a box to a scene of its own. */
+static vbss_result add_to_new_scene(vbss_context *context, void *user)
+{
+    const box *b = user;
+    vbss_scene *scene = NULL;
+    uint32_t body = 0;
+    const vbss_scene_config config = vbss_scene_config_default();
+    const vbss_result created = vbss_scene_create(context, &config, &scene);
+    if (created != VBSS_OK) {
+        return created;
+    }
+    const vbss_result result = vbss_scene_add_rigid_mesh(scene, NULL, &b->config, &body);
+    expect_ok(vbss_scene_destroy(scene));
+    return result;
+}
+
+static void mesh_without_memory_leaves_no_block(void **state)
+{
+    (void)state;
+    box b;
+    make_box(&b, vec3_make(5e-3, 5e-3, 5e-3), THICKNESS);
+    harness_fail_every_allocation(add_to_new_scene, &b);
+}
+
 static void expect_text(const small *s, const char *part)
 {
     vbss_result result;
@@ -576,12 +637,14 @@ int test_rigid_mesh(void)
         harness_test(mesh_pushes_a_thread_as_the_capsule_of_its_shape),
         harness_test(moving_mesh_gets_the_force_of_a_static_one_that_the_thread_moves_to),
         harness_test(tension_over_a_turning_mesh_follows_capstan_equation),
+        harness_test(box_presses_a_drain),
         harness_test(collision_with_a_free_mesh_keeps_momentum_and_adds_no_energy),
         harness_test(mass_is_spread_over_the_triangles),
         harness_test(far_mesh_that_moves_adds_no_pairs_and_one_box_test),
         harness_test(queries_find_a_mesh_where_it_is),
         harness_test(free_mesh_can_be_put_elsewhere),
         harness_test(loaded_scene_has_the_meshes_and_goes_on_to_the_same_bits),
+        harness_test(mesh_without_memory_leaves_no_block),
         harness_test(refused_meshes_change_nothing),
     };
     return cmocka_run_group_tests_name("scene.rigid_mesh", tests, NULL, NULL);
