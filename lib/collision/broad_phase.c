@@ -296,9 +296,40 @@ static bool filtered_out(const collision_object *c, uint32_t a, uint32_t b)
            (other->category & s->mask) == 0;
 }
 
+static bool do_shapes_overlap(const collision_object *c, uint32_t a, uint32_t b)
+{
+    const collision_aabb *p = &c->shape_bvh.boxes[a], *q = &c->shape_bvh.boxes[b];
+    bool overlap = true;
+    for (int k = 0; k < 3; k++) {
+        overlap = overlap && p->low[k] <= q->high[k] && q->low[k] <= p->high[k];
+    }
+    return overlap;
+}
+
+/* Pairs of edges of posed meshes with those of shapes behind them in the table. Shape a is the other one, whatever the
+ * ids: the counting sort then has no entries for the edges of the mesh, which may be many. These runs come first, in the
+ * order of the meshes, so that all pairs of an edge a come in the order of shapes b. */
+static bool find_posed_edge_pairs(collision_object *c)
+{
+    for (uint32_t m = 0; m < c->active_count; m++) {
+        const collision_shape *mesh = c->shapes[c->active_shapes[m]];
+        const bool is_near = mesh->posed != NULL && mesh->posed->is_near;
+        for (uint32_t i = is_near ? m + 1 : c->active_count; i < c->active_count; i++) {
+            if (do_shapes_overlap(c, i, m) && !filtered_out(c, i, m) &&
+                !collect_edge_pairs(c, i, m)) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
 static bool find_pairs(collision_object *c)
 {
     c->run_count = c->search.pair_count = 0;
+    if (!find_posed_edge_pairs(c)) {
+        return false;
+    }
     for (uint32_t b = 0; b < c->active_count; b++) {
         const collision_shape *s = c->shapes[c->active_shapes[b]];
         bool mesh = s->kind == COLLISION_SHAPE_MESH && !s->edges_only;
@@ -309,7 +340,8 @@ static bool find_pairs(collision_object *c)
             if (filtered_out(c, a, b)) {
                 continue;
             }
-            if (a <= b && !collect_edge_pairs(c, a, b)) {
+            const bool is_behind_posed = a < b && c->shapes[c->active_shapes[a]]->posed != NULL;
+            if (a <= b && !is_behind_posed && !collect_edge_pairs(c, a, b)) {
                 return false;
             }
             if (mesh && !collect_point_pairs(c, a, b)) {
