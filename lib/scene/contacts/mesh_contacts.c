@@ -107,16 +107,28 @@ static vec3 normal_at_vertex(const mesh_view *v, uint32_t vertex, double smalles
                                                : vec3_add_scaled(separation, -ahead, ridge);
 }
 
+/* The vertices and the separation are in one frame, and so is the normal. */
+static vec3 normal_at_edge(const mesh_view *v, uint32_t edge, double at, double contact_distance,
+                           vec3 separation)
+{
+    const double smallest = (1.0 - SCENE_PLANE_TOLERANCE) * contact_distance;
+    const vec3 direction =
+        at > 0.0 && at < 1.0
+            ? normal_inside_edge(v, edge, smallest, separation)
+            : normal_at_vertex(v, v->shape->edges[edge][at > 0.0 ? 1 : 0], smallest, separation);
+    return vec3_unit_or(direction, vec3_unit_or(separation, vec3_zero()));
+}
+
+/* In the frame of a rigid mesh, which saves the transformation of the vertices around the edge. */
 vec3 vbss_scene_mesh_normal(const scene_object *s, const scene_body *mesh, scene_vertices x,
                             uint32_t edge, double at, double contact_distance, vec3 separation)
 {
-    const double smallest = (1.0 - SCENE_PLANE_TOLERANCE) * contact_distance;
-    const mesh_view v = view_of(s, mesh, x);
-    const vec3 direction =
-        at > 0.0 && at < 1.0
-            ? normal_inside_edge(&v, edge, smallest, separation)
-            : normal_at_vertex(&v, v.shape->edges[edge][at > 0.0 ? 1 : 0], smallest, separation);
-    return vec3_unit_or(direction, vec3_unit_or(separation, vec3_zero()));
+    const mesh_view v = view_of(s, mesh, (scene_vertices){x.x, NULL});
+    if (x.at == NULL) {
+        return normal_at_edge(&v, edge, at, contact_distance, separation);
+    }
+    const vec3 local = quat_rotate_back(x.at->orientation, separation);
+    return quat_rotate(x.at->orientation, normal_at_edge(&v, edge, at, contact_distance, local));
 }
 
 /* ---- one-sided meshes */
