@@ -676,7 +676,8 @@ VBSS_API vbss_result vbss_scene_add_static_mesh(vbss_scene *scene,
  * its surface from both sides, with friction, and the guard (CCD) tests its moving triangles. During a part of a
  * step its vertices move along straight lines. A set of convex hulls is a mesh with the faces of all of them.
  * Meshes, static ones and host surfaces included, do not touch each other, nor a mesh the floor or a
- * plane. No node can be pinned to it. Its kind is VBSS_SCENE_BODY_RIGID, and it counts as one of the scene's
+ * plane. A driven body of capsules that overlaps a driven mesh when one of them is added is held back by it. No node can be
+ * pinned to it, and no hole be made in it. Its kind is VBSS_SCENE_BODY_RIGID, and it counts as one of the scene's
  * rigid bodies (rigid_capacity) without capsules. The call allocates all memory that steps need for it, and
  * builds its bounding volume hierarchy, which steps never rebuild or refit.
  *

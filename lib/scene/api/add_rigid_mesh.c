@@ -92,7 +92,8 @@ vbss_result vbss_scene_place_rigid_mesh(scene_object *s, const scene_rigid *rigi
         (void)vbss_collision_remove(scene_collision(s), shape);
         return result;
     }
-    *b = (scene_body){.rigid = *rigid};
+    *b = (scene_body){.kind = SCENE_BODY_NONE};
+    b->rigid = *rigid; /* in place: a copy would double the stack of those that load scenes */
     b->rigid.first_capsule = s->capsule_count;
     b->rigid.is_rigid_mesh = true;
     b->rigid.mesh = mesh;
