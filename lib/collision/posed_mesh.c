@@ -223,7 +223,7 @@ static bool do_overlap(const collision_aabb *a, const collision_aabb *b)
     return overlap;
 }
 
-/* The pairs of a posed mesh are listed anew in every search, as long as there may be some. */
+/* The pairs of a posed mesh are listed again in every search, as long as there may be some. */
 void vbss_collision_find_near_posed(collision_object *c)
 {
     for (uint32_t i = 0; i < c->active_count; i++) {
