@@ -670,6 +670,37 @@ VBSS_API vbss_result vbss_scene_add_static_mesh(vbss_scene *scene,
                                                 uint32_t *body);
 
 /**
+ * Adds a rigid body whose shape is a mesh of triangles: another instrument, a trocar, a bone. It moves as a
+ * rigid body of capsules does (#vbss_scene_set_rigid_target, and for its kind of motion forces, velocities
+ * and poses), and #vbss_scene_get_rigid reports the forces on it. Threads, needles, tools and drains touch
+ * its surface from both sides, with friction, and the guard (CCD) tests its moving triangles. During a part of a
+ * step its vertices move along straight lines. A set of convex hulls is a mesh with the faces of all of them.
+ * Meshes, static ones and host surfaces included, do not touch each other, nor a mesh the floor or a
+ * plane. A driven body of capsules that overlaps a driven mesh when one of them is added is held back by it. No node can be
+ * pinned to it, and no hole be made in it. Its kind is VBSS_SCENE_BODY_RIGID, and it counts as one of the scene's
+ * rigid bodies (rigid_capacity) without capsules. The call allocates all memory that steps need for it, and
+ * builds its bounding volume hierarchy, which steps never rebuild or refit.
+ *
+ * @param scene      the scene, of method VBSS_METHOD_IMPLICIT
+ * @param motion     pose, kind of motion, mass and coupling; NULL for the defaults. It has no capsules, and its
+ *                   friction is not used. The mass is spread evenly over the area of the triangles.
+ * @param geometry   triangles, in the frame of the body, thickness and friction; not NULL, because a mesh needs
+ *                   triangles. one_sided must be 0.
+ * @param[out] body  its number in the scene, from 1 on, never reused
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE,
+ *         VBSS_ERROR_UNKNOWN_FIELD, VBSS_ERROR_OUT_OF_RANGE (also: capsules, one_sided, a triangle with a
+ *         vertex that does not exist or occurs twice, triangles without area, or an overlap, if the
+ *         scene refuses it), VBSS_ERROR_NOT_FINITE, VBSS_ERROR_INCOMPATIBLE (another method),
+ *         VBSS_ERROR_CAPACITY, VBSS_ERROR_OUT_OF_MEMORY or VBSS_ERROR_BUSY
+ * @threads one thread at a time per context
+ * @since 1.0
+ */
+VBSS_API vbss_result vbss_scene_add_rigid_mesh(vbss_scene *scene,
+                                               const vbss_scene_rigid_config *motion,
+                                               const vbss_scene_static_mesh_config *geometry,
+                                               uint32_t *body);
+
+/**
  * Fills a configuration of a height field with defaults.
  *
  * @param[out] config  the struct to fill

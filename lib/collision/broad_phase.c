@@ -32,9 +32,18 @@ static void update_shapes(collision_object *c)
     if (!c->active_valid) {
         list_active_shapes(c);
     }
+    bool has_posed = false;
     for (uint32_t i = 0; i < c->active_count; i++) {
         collision_shape *s = c->shapes[c->active_shapes[i]];
-        vbss_collision_shape_update_boxes(s);
+        if (s->posed == NULL) {
+            vbss_collision_shape_update_boxes(s);
+        } else {
+            vbss_collision_update_posed_box(s);
+            has_posed = true;
+        }
+    }
+    if (has_posed) {
+        vbss_collision_find_near_posed(c);
     }
 }
 
@@ -136,6 +145,97 @@ static bool collect_pairs(collision_object *c, const collision_traversal *w,
     return true;
 }
 
+/* ---- pairs with a posed mesh */
+
+/* A kind of features of a shape, one of them a posed mesh: its tree there, and where their nodes are. */
+typedef struct posed_side {
+    collision_shape *shape;
+    const collision_bvh *tree;
+    const uint32_t *nodes; /* NULL: a feature is a node */
+    uint32_t count, nodes_each;
+} posed_side;
+
+static posed_side points_of(collision_shape *s)
+{
+    return (posed_side){s, &s->point_bvh, NULL, s->node_count, 1};
+}
+
+static posed_side edges_of(collision_shape *s)
+{
+    return (posed_side){s, &s->edge_bvh, s->edges[0], s->edge_count, 2};
+}
+
+static posed_side triangles_of(collision_shape *s)
+{
+    return (posed_side){s, &s->triangle_bvh, s->triangles[0], s->triangle_count, 3};
+}
+
+static bool push_pair(collision_search *search, uint32_t *offsets, uint32_t a, uint32_t b)
+{
+    if (search->pair_count == search->pair_capacity) {
+        return false;
+    }
+    search->pairs[search->pair_count++] = (collision_pair){a, b};
+    offsets[a]++;
+    return true;
+}
+
+/* Pairs every feature of the other shape with those of the posed mesh that it may come near. */
+static bool collect_posed_pairs(collision_object *c, const posed_side *a, const posed_side *b,
+                                uint32_t *offsets)
+{
+    const bool is_a_posed = a->shape->posed != NULL;
+    const posed_side *mesh = is_a_posed ? a : b, *other = is_a_posed ? b : a;
+    const uint32_t *found = mesh->shape->posed->found;
+    for (uint32_t i = 0; i < other->count; i++) {
+        const collision_feature_nodes feature = {
+            other->nodes != NULL ? other->nodes + (size_t)other->nodes_each * i : &i,
+            other->nodes_each};
+        const uint32_t count =
+            vbss_collision_query_posed(c, mesh->shape, mesh->tree, other->shape, feature);
+        for (uint32_t k = 0; k < count; k++) {
+            if (!push_pair(&c->search, offsets, is_a_posed ? found[k] : i,
+                           is_a_posed ? i : found[k])) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
+/* Stores the run of two shapes, one of them a posed mesh. Two posed meshes have no pairs. */
+static bool collect_posed_run(collision_object *c, vbss_collision_pair_kind kind, uint32_t a,
+                              uint32_t b)
+{
+    collision_shape *s = c->shapes[c->active_shapes[a]], *other = c->shapes[c->active_shapes[b]];
+    const bool edges = kind == VBSS_COLLISION_PAIR_EDGE_EDGE;
+    const posed_side first = edges ? edges_of(s) : points_of(s);
+    const posed_side second = edges ? edges_of(other) : triangles_of(other);
+    const collision_run run = {kind, c->active_shapes[a], c->active_shapes[b],
+                               c->search.pair_count};
+    if (s->posed != NULL && other->posed != NULL) {
+        return true;
+    }
+    c->runs[c->run_count] = run;
+    if (!collect_posed_pairs(c, &first, &second,
+                             edges ? edge_offsets_of(s) : point_offsets_of(s))) {
+        return false;
+    }
+    if (other->posed != NULL) {
+        radix_sort(c, run.first, second.count);
+    }
+    c->run_count += c->search.pair_count > run.first;
+    return true;
+}
+
+static bool has_posed(const collision_object *c, uint32_t a, uint32_t b)
+{
+    return c->shapes[c->active_shapes[a]]->posed != NULL ||
+           c->shapes[c->active_shapes[b]]->posed != NULL;
+}
+
+/* ---- pairs of features */
+
 /* Rule for the edges of one shape. */
 static collision_pair_rule rule_of_edges(const collision_shape *s)
 {
@@ -156,6 +256,9 @@ static bool collect_edge_pairs(collision_object *c, uint32_t a, uint32_t b)
     if (s == other && s->edge_count < 2) {
         return true;
     }
+    if (has_posed(c, a, b)) {
+        return collect_posed_run(c, VBSS_COLLISION_PAIR_EDGE_EDGE, a, b);
+    }
     vbss_collision_shape_refit_edges(s);
     vbss_collision_shape_refit_edges(other);
     const collision_traversal w = {.a = &s->edge_bvh,
@@ -170,6 +273,9 @@ static bool collect_edge_pairs(collision_object *c, uint32_t a, uint32_t b)
 static bool collect_point_pairs(collision_object *c, uint32_t a, uint32_t b)
 {
     collision_shape *s = c->shapes[c->active_shapes[a]], *mesh = c->shapes[c->active_shapes[b]];
+    if (has_posed(c, a, b)) {
+        return collect_posed_run(c, VBSS_COLLISION_PAIR_POINT_TRIANGLE, a, b);
+    }
     vbss_collision_shape_refit_points(s);
     vbss_collision_shape_refit_triangles(mesh);
     const collision_traversal w = {.a = &s->point_bvh,
@@ -190,9 +296,40 @@ static bool filtered_out(const collision_object *c, uint32_t a, uint32_t b)
            (other->category & s->mask) == 0;
 }
 
+static bool do_shapes_overlap(const collision_object *c, uint32_t a, uint32_t b)
+{
+    const collision_aabb *p = &c->shape_bvh.boxes[a], *q = &c->shape_bvh.boxes[b];
+    bool overlap = true;
+    for (int k = 0; k < 3; k++) {
+        overlap = overlap && p->low[k] <= q->high[k] && q->low[k] <= p->high[k];
+    }
+    return overlap;
+}
+
+/* Pairs of edges of posed meshes with those of shapes behind them in the table. Shape a is the other one, whatever the
+ * ids: the counting sort then has no entries for the edges of the mesh, which may be many. These runs come first, in the
+ * order of the meshes, so that all pairs of an edge a come in the order of shapes b. */
+static bool find_posed_edge_pairs(collision_object *c)
+{
+    for (uint32_t m = 0; m < c->active_count; m++) {
+        const collision_shape *mesh = c->shapes[c->active_shapes[m]];
+        const bool is_near = mesh->posed != NULL && mesh->posed->is_near;
+        for (uint32_t i = is_near ? m + 1 : c->active_count; i < c->active_count; i++) {
+            if (do_shapes_overlap(c, i, m) && !filtered_out(c, i, m) &&
+                !collect_edge_pairs(c, i, m)) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
 static bool find_pairs(collision_object *c)
 {
     c->run_count = c->search.pair_count = 0;
+    if (!find_posed_edge_pairs(c)) {
+        return false;
+    }
     for (uint32_t b = 0; b < c->active_count; b++) {
         const collision_shape *s = c->shapes[c->active_shapes[b]];
         bool mesh = s->kind == COLLISION_SHAPE_MESH && !s->edges_only;
@@ -203,7 +340,8 @@ static bool find_pairs(collision_object *c)
             if (filtered_out(c, a, b)) {
                 continue;
             }
-            if (a <= b && !collect_edge_pairs(c, a, b)) {
+            const bool is_behind_posed = a < b && c->shapes[c->active_shapes[a]]->posed != NULL;
+            if (a <= b && !is_behind_posed && !collect_edge_pairs(c, a, b)) {
                 return false;
             }
             if (mesh && !collect_point_pairs(c, a, b)) {

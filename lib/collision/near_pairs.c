@@ -62,7 +62,7 @@ void vbss_collision_tighten_boxes(collision_object *c)
 {
     for (uint32_t i = 0; i < c->active_count; i++) {
         collision_shape *s = c->shapes[c->active_shapes[i]];
-        if (!s->is_static) {
+        if (!s->is_static && s->posed == NULL) {
             s->is_tight = true;
             set_loose_boxes(s);
         }
@@ -161,9 +161,11 @@ typedef struct near_feature {
     double displacement; /* since the last search, m */
 } near_feature;
 
-static inline near_feature feature_of(const collision_shape *s, const uint32_t *nodes,
-                                      uint32_t count)
+static inline near_feature feature_of(collision_shape *s, const uint32_t *nodes, uint32_t count)
 {
+    if (s->posed != NULL) {
+        vbss_collision_set_posed_nodes(s, nodes, count);
+    }
     return (near_feature){box_around(s->swept_boxes, nodes, count),
                           max_over_nodes(s->search_displacement, nodes, count)};
 }
@@ -176,10 +178,10 @@ bool vbss_collision_filter_near_pairs(collision_object *c)
         const collision_candidate *q = &c->near_pairs[i];
         const bool edges = q->kind == VBSS_COLLISION_PAIR_EDGE_EDGE;
         if (i == 0 || q->a != q[-1].a || q->shape_a != q[-1].shape_a || q->kind != q[-1].kind) {
-            const collision_shape *s = c->shapes[q->shape_a];
+            collision_shape *s = c->shapes[q->shape_a];
             a = edges ? feature_of(s, s->edges[q->a], 2) : feature_of(s, &q->a, 1);
         }
-        const collision_shape *other = c->shapes[q->shape_b];
+        collision_shape *other = c->shapes[q->shape_b];
         const near_feature b = edges ? feature_of(other, other->edges[q->b], 2)
                                      : feature_of(other, other->triangles[q->b], 3);
         c->separations[i] -= COLLISION_ROUNDED_UP * (a.displacement + b.displacement);

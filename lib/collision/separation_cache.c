@@ -22,6 +22,10 @@ void vbss_collision_update_displacements(collision_shape *s)
 /* Displacement since the last search; infinite for a shape that has changed since. */
 static void update_search_displacements(collision_shape *s)
 {
+    if (s->posed != NULL) {
+        vbss_collision_begin_posed_search(s);
+        return;
+    }
     if (s->is_search_at_rest) {
         return;
     }

@@ -79,6 +79,7 @@ static void list_arrays(collision_shape *s, array_list *list)
 void vbss_collision_shape_free(vbss_context *context, collision_shape *s)
 {
     array_list list;
+    vbss_collision_free_posed(context, s);
     list_arrays(s, &list);
     vbss_release_arrays(context, list.arrays, list.count);
     vbss_release(context, s, 1, sizeof *s);

@@ -98,6 +98,26 @@ typedef struct collision_exclusion {
     uint32_t *leaf_of; /* scratch: feature -> leaf */
 } collision_exclusion;
 
+/* A mesh that moves as a rigid body (posed_mesh.c). Its trees are in the frame of the mesh and never
+ * change. A search takes the boxes of other shapes into that frame, and sets the positions of those
+ * nodes only that belong to a pair. */
+typedef struct collision_posed {
+    vec3 *local;     /* node positions in the frame of the mesh, m */
+    pose start, end; /* of the frame in the motion */
+    /* Nodes move along straight lines by this multiple of their displacements from start to end. */
+    double extrapolation;
+    vec3 centre, half; /* box around `local`, without inflation: its centre and half its sides, m */
+    vec3 moved_low, moved_high; /* bounds of the displacements, in the frame of the start, m */
+    /* Poses of the start of the last two searches: of the present one and of that before. */
+    pose searched, previous;
+    uint32_t search_count; /* of these poses that are set, 0 to 2 */
+    /* Nodes whose positions are set for the present motion: a list, and a mark for each node. */
+    uint32_t *set_nodes, *mark;
+    uint32_t set_count, present_mark;
+    uint32_t *found;        /* scratch: features near a box */
+    bool is_near, was_near; /* another shape is near in this search, and was in the one before */
+} collision_posed;
+
 typedef struct collision_shape {
     collision_shape_kind kind;
     uint32_t node_count, edge_count, triangle_count;
@@ -111,6 +131,7 @@ typedef struct collision_shape {
      * edge that is far enough from the first one of each group. */
     uint32_t *far_before, *far_after;
     collision_exclusion exclusion;
+    collision_posed *posed; /* NULL unless the shape is a posed mesh */
     uint64_t topology_hash; /* hash of all data that never changes */
     uint32_t category, mask;
     bool is_rigid;          /* never forms pairs with itself */
@@ -168,6 +189,51 @@ vbss_result vbss_collision_create_mesh(collision_object *c, uint32_t node_count,
 /* Puts a shape in the place of another, whose id it gets. Returns the other one, which the caller frees. */
 collision_shape *vbss_collision_exchange_shape(collision_object *c, uint32_t id,
                                                collision_shape *shape);
+
+/* ---- posed meshes (add_posed_mesh.c, posed_mesh.c), for objects created with caches_separation */
+
+/* Makes a new mesh a posed one, at a pose. `positions`: three finite numbers for each of its nodes, in the
+ * frame in which the frame of the mesh has the pose `frame`; NULL: in the frame of the mesh.
+ * VBSS_ERROR_OUT_OF_MEMORY; then nothing has changed. */
+vbss_result vbss_collision_make_posed(collision_object *c, uint32_t id, const double *positions,
+                                      const pose *frame, pose at);
+enum { COLLISION_POSED_ARRAYS = 4 };
+void vbss_collision_list_posed_arrays(const collision_shape *shape, collision_posed *posed,
+                                      vbss_array arrays[COLLISION_POSED_ARRAYS]);
+void vbss_collision_free_posed(vbss_context *context, collision_shape *shape);
+
+/* Sets the motion of a posed mesh, as vbss_collision_set_motion that of another shape: its nodes move
+ * by `extrapolation` times their displacements from start to end. */
+vbss_result vbss_collision_set_pose_motion(collision_object *c, uint32_t id, pose start, pose end,
+                                           double extrapolation);
+/* Changes the end pose, as vbss_collision_set_end_positions; updates the displacements as well. */
+void vbss_collision_set_end_pose(collision_shape *shape, pose end);
+/* Bound of the distance of any node of a posed mesh between two poses, m: the largest component, and the
+ * norm. 0 for equal poses. */
+double vbss_collision_largest_offset(const collision_shape *shape, pose from, pose to);
+double vbss_collision_largest_distance(const collision_shape *shape, pose from, pose to);
+
+/* Begins a set of nodes, of which none has positions yet. */
+void vbss_collision_begin_posed_set(collision_shape *shape);
+/* Steps of a search: updates the box of the whole mesh; begins the set of its nodes; finds out whether other
+ * shapes are near. */
+void vbss_collision_update_posed_box(collision_shape *shape);
+void vbss_collision_begin_posed_search(collision_shape *shape);
+void vbss_collision_find_near_posed(collision_object *c);
+/* Sets the positions, swept boxes and displacements of nodes for the present motion. */
+void vbss_collision_set_posed_nodes(collision_shape *shape, const uint32_t *nodes, uint32_t count);
+/* A feature of another shape: its nodes. */
+typedef struct collision_feature_nodes {
+    const uint32_t *nodes;
+    uint32_t count;
+} collision_feature_nodes;
+/* Lists the features in a tree of a posed mesh that a feature of another shape may come near, in
+ * `posed->found`. Returns their number. */
+uint32_t vbss_collision_query_posed(collision_object *c, const collision_shape *mesh,
+                                    const collision_bvh *tree, const collision_shape *other,
+                                    collision_feature_nodes feature);
+/* Box in the frame of a pose around a box in the world. */
+collision_aabb vbss_collision_box_in_frame(const collision_aabb *box, pose at);
 
 /* ---- memory of shapes (shape_memory.c) */
 

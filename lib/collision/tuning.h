@@ -53,6 +53,13 @@
  * Unit: 1, relative to the distance. Origin: chosen. Test: collision.separation_bounds. */
 #define COLLISION_ROUNDED_UP VBSS_TUNE(COLLISION_ROUNDED_UP, 1.0 + 1e-9)
 
+/* ---- Posed meshes (posed_mesh.c) */
+
+/* Boxes that were turned are enlarged by this much of their coordinates, which exceeds the rounding errors.
+ * Unit: 1, relative to the coordinates. Origin: derived, a hundred times the errors of some ten products.
+ * Test: none known. */
+#define COLLISION_POSED_PADDING VBSS_TUNE(COLLISION_POSED_PADDING, 1e-12)
+
 /* ---- Baseline (baseline/response.c) */
 
 /* A shorter vector has no direction.

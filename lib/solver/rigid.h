@@ -140,7 +140,7 @@ vbss_rigid_wrench vbss_rigid_coupling_wrench(const vbss_rigid *rigid,
 enum { VBSS_SCENE_RIGID_TAGS = 12 };
 void vbss_rigid_serialise(vbss_stream *stream, uint16_t first_tag, vbss_rigid *rigid);
 
-/* ---- mass of solid capsules (rigid_capsules.c) */
+/* ---- mass of solid capsules, and of thin triangles (rigid_capsules.c) */
 
 /* A cylinder with hemispherical ends; a ball if both ends are equal. */
 typedef struct vbss_rigid_capsule {
@@ -162,5 +162,15 @@ typedef struct vbss_rigid_mass {
  * writes nothing unless mass and moments are positive and finite. */
 bool vbss_rigid_mass_of_capsules(const vbss_rigid_capsule *capsules, uint32_t count,
                                  vbss_rigid_mass *mass);
+
+/* Triangles: three coordinates (m) a vertex, three valid indices of vertices a triangle; at least one. */
+typedef struct vbss_rigid_triangles {
+    const double *vertices;
+    const uint32_t *triangles;
+    uint32_t count;
+} vbss_rigid_triangles;
+/* The same for a mass, kg, that is spread evenly over the area of triangles. Exact for flat triangles. */
+bool vbss_rigid_mass_of_triangles(const vbss_rigid_triangles *triangles, double mass_sum,
+                                  vbss_rigid_mass *mass);
 
 #endif

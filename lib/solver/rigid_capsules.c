@@ -1,4 +1,4 @@
-/* Mass, centre of mass and principal axes of solid capsules. */
+/* Mass, centre of mass and principal axes of solid capsules, and of thin triangles. */
 #include "base/pi.h"
 #include "solver/rigid.h"
 
@@ -85,6 +85,22 @@ static quat principal_axes(mat3 inertia)
     return axes;
 }
 
+/* Returns false and sets nothing unless all moments are positive and finite. */
+static bool set_mass(double sum, vec3 centre, mat3 inertia, vbss_rigid_mass *mass)
+{
+    quat axes = principal_axes(inertia);
+    mat3 rotated = inertia_in_axes(inertia, axes);
+    vec3 moments = vec3_make(rotated.m[0][0], rotated.m[1][1], rotated.m[2][2]);
+    bool is_valid = moments.x >= DBL_MIN && moments.y >= DBL_MIN && moments.z >= DBL_MIN;
+    if (!(is_valid && vec3_is_finite(moments) && vec3_is_finite(centre))) {
+        return false;
+    }
+    mass->mass = sum;
+    mass->inertia = moments;
+    mass->frame = pose_make(centre, axes);
+    return true;
+}
+
 /* ---- all capsules */
 
 bool vbss_rigid_mass_of_capsules(const vbss_rigid_capsule *capsules, uint32_t count,
@@ -107,15 +123,57 @@ bool vbss_rigid_mass_of_capsules(const vbss_rigid_capsule *capsules, uint32_t co
         capsule_mass m = mass_of(&capsules[i]);
         inertia = mat3_add(inertia, inertia_about(&m, centre));
     }
-    quat axes = principal_axes(inertia);
-    mat3 rotated = inertia_in_axes(inertia, axes);
-    vec3 moments = vec3_make(rotated.m[0][0], rotated.m[1][1], rotated.m[2][2]);
-    bool is_valid = moments.x >= DBL_MIN && moments.y >= DBL_MIN && moments.z >= DBL_MIN;
-    if (!(is_valid && vec3_is_finite(moments) && vec3_is_finite(centre))) {
+    return set_mass(sum, centre, inertia, mass);
+}
+
+/* ---- thin triangles */
+
+static vec3 corner_of(const vbss_rigid_triangles *t, uint32_t triangle, int k)
+{
+    return vec3_load(t->vertices + 3 * (size_t)t->triangles[3 * (size_t)triangle + (size_t)k]);
+}
+
+/* Twice the area. */
+static double area_of(const vec3 corners[3])
+{
+    return vec3_norm(
+        vec3_cross(vec3_sub(corners[1], corners[0]), vec3_sub(corners[2], corners[0])));
+}
+
+/* The corners of a triangle relative to a point. Returns twice its area. */
+static double get_corners(const vbss_rigid_triangles *t, uint32_t triangle, vec3 about,
+                          vec3 corners[3])
+{
+    for (int k = 0; k < 3; k++) {
+        corners[k] = vec3_sub(corner_of(t, triangle, k), about);
+    }
+    return area_of(corners);
+}
+
+bool vbss_rigid_mass_of_triangles(const vbss_rigid_triangles *t, double mass_sum,
+                                  vbss_rigid_mass *mass)
+{
+    const vec3 first = corner_of(t, 0, 0);
+    double sum = 0.0;
+    vec3 moment = vec3_zero(), corners[3];
+    for (uint32_t i = 0; i < t->count; i++) {
+        const double area = get_corners(t, i, first, corners);
+        sum += area;
+        moment = vec3_add_scaled(moment, area / 3.0,
+                                 vec3_add(corners[0], vec3_add(corners[1], corners[2])));
+    }
+    if (!(sum >= DBL_MIN && sum <= DBL_MAX)) {
         return false;
     }
-    mass->mass = sum;
-    mass->inertia = moments;
-    mass->frame = pose_make(centre, axes);
-    return true;
+    const vec3 centre = vec3_add_scaled(first, 1.0 / sum, moment);
+    mat3 inertia = mat3_zero();
+    for (uint32_t i = 0; i < t->count; i++) {
+        /* The middles of the sides with a third of the mass each have the moments of the triangle. */
+        const double third = mass_sum * (get_corners(t, i, centre, corners) / sum) / 3.0;
+        for (int k = 0; k < 3; k++) {
+            const vec3 middle = vec3_lerp(corners[k], corners[(k + 1) % 3], 0.5);
+            inertia = mat3_add(inertia, offset_inertia(middle, third));
+        }
+    }
+    return set_mass(mass_sum, centre, inertia, mass);
 }

@@ -276,6 +276,23 @@ def test_a_static_mesh_bears_a_thread(context):
         scene.add_static_mesh([(0, 0, 0), (0, 0, 1), (1, 0, 0)], [(0, 1, 3)])
 
 
+def test_a_rigid_mesh_moves_with_its_target(context):
+    scene = vb.Scene(context)
+    square = [(-0.01, 0, -0.01), (-0.01, 0, 0.01), (0.01, 0, 0.01), (0.01, 0, -0.01)]
+    driven = scene.add_rigid_mesh(square, [(0, 1, 2), (0, 2, 3)], thickness=1e-3, friction=0.25)
+    free = scene.add_rigid_mesh(square, [(0, 1, 2), (0, 2, 3)], kind="free", mass=2e-3, position=(0.1, 0.05, 0))
+    assert scene.body_info(driven).kind is vb.SceneBodyKind.RIGID and scene.body_info(driven).friction == 0.25
+    scene.set_rigid_target(driven, (0.002, 0.003, 0))
+    scene.step()
+    found = scene.find_nearest((0.002, 0.02, 0.001), 0.05)
+    assert found.body == driven and found.distance == pytest.approx(0.02 - 0.003 - 0.5e-3, abs=1e-9)
+    assert scene.rigid(free).position == pytest.approx((0.1, 0.05, 0))
+    with pytest.raises(vb.OutOfRangeError):
+        scene.add_rigid_mesh(square, [(0, 1, 4)])
+    with pytest.raises(TypeError):
+        scene.add_rigid_mesh(square, [(0, 1, 2)], thicknes=1e-3)
+
+
 def test_sampled_geometry_is_a_static_mesh(context):
     scene = vb.Scene(context)
     ground = scene.add_height_field([[0.0, 1e-3, 0.0], [0.0, 2e-3, 0.0]], spacing=(2e-3, 3e-3), friction=0.2)

@@ -1,4 +1,4 @@
-/* A log of a scene with a static mesh and a plane: it replays to the same hashes in a scene of its own, and one that
+/* A log of a scene with a static mesh, a plane and a rigid mesh: it replays to the same hashes in a scene of its own, and one that
  * was made before. */
 #include "fixture.h"
 #include "record/record.h"
@@ -23,6 +23,31 @@ static void add_mesh(const geometry *g)
     mesh.vertices = vertices[0];
     mesh.triangles = triangles[0];
     expect_ok(vbss_scene_add_static_mesh(g->scene, &mesh, &body));
+}
+
+/* A driven mesh below the thread, which rises and turns in each step. */
+static uint32_t add_rigid_mesh(const geometry *g)
+{
+    static const double vertices[][3] = {
+        {-0.006, 0.0, -0.01}, {-0.006, 1e-3, 0.01}, {0.006, 0.0, 0.01}, {0.006, 1e-3, -0.01}};
+    static const uint32_t triangles[][3] = {{0, 1, 2}, {0, 2, 3}};
+    uint32_t body;
+    vbss_scene_static_mesh_config mesh = vbss_scene_static_mesh_config_default();
+    vbss_scene_rigid_config motion = vbss_scene_rigid_config_default();
+    mesh.vertex_count = 4;
+    mesh.triangle_count = 2;
+    mesh.vertices = vertices[0];
+    mesh.triangles = triangles[0];
+    motion.position[1] = 3e-3;
+    expect_ok(vbss_scene_add_rigid_mesh(g->scene, &motion, &mesh, &body));
+    return body;
+}
+
+static void move_rigid_mesh(const geometry *g, uint32_t body, uint32_t step)
+{
+    const double position[3] = {0.0, 3e-3 + 0.05e-3 * step, 0.0},
+                 orientation[4] = {1.0, 0.002 * step, 0.0, 0.003 * step};
+    expect_ok(vbss_scene_set_rigid_target(g->scene, body, position, orientation));
 }
 
 static void add_plane(const geometry *g, double slope)
@@ -54,15 +79,20 @@ static void begin(geometry *g)
     add_plane(g, 0.2);
 }
 
-static log_bytes log_of_fall(const geometry *g, bool adds_plane, uint64_t *hash)
+static log_bytes log_of_fall(const geometry *g, bool adds_geometry, uint64_t *hash)
 {
+    uint32_t mesh = 0;
     vbss_record *record;
     log_bytes log = {NULL, 0};
     expect_ok(vbss_record_create(g->scene, NULL, &record));
     expect_ok(vbss_scene_set_recorder(g->scene, record));
     for (uint32_t i = 0; i < STEPS; i++) {
-        if (adds_plane && i == ADDED_AT) {
+        if (adds_geometry && i == ADDED_AT) {
             add_plane(g, -0.2);
+            mesh = add_rigid_mesh(g);
+        }
+        if (mesh != 0) {
+            move_rigid_mesh(g, mesh, i);
         }
         expect_ok(vbss_scene_step(g->scene, 1e-3));
     }
@@ -118,7 +148,7 @@ static void fall_on_a_mesh_and_a_plane_replays_bit_equal(void **state)
 }
 
 /* A log also describes bodies that were added during the recording. */
-static void plane_added_while_recording_replays_bit_equal(void **state)
+static void geometry_added_while_recording_replays_bit_equal(void **state)
 {
     (void)state;
     geometry g;
@@ -134,7 +164,7 @@ int test_host_geometry(void)
 {
     const struct CMUnitTest tests[] = {
         harness_test(fall_on_a_mesh_and_a_plane_replays_bit_equal),
-        harness_test(plane_added_while_recording_replays_bit_equal),
+        harness_test(geometry_added_while_recording_replays_bit_equal),
     };
     return cmocka_run_group_tests_name("record.host_geometry", tests, NULL, NULL);
 }

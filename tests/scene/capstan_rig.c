@@ -81,7 +81,11 @@ capstan_ratios capstan_pull(capstan *c, double segments)
     uint32_t steps = (uint32_t)(segments * c->segment / (fabs(c->speed) * h) + 0.5);
     capstan_ratios r = {0.0, 1e3, -1e3};
     for (uint32_t i = 0; i < steps; i++) {
-        c->at = vec3_add_scaled(c->at, c->speed * h, c->pulled);
+        if (c->turn_cylinder != NULL) {
+            c->turn_cylinder(c, c->speed * h);
+        } else {
+            c->at = vec3_add_scaled(c->at, c->speed * h, c->pulled);
+        }
         rig_move(&c->rig.thread, c->end, c->at);
         scene_rig_run(&c->rig, h, 1);
         double now = ratio(c);

@@ -32,6 +32,8 @@ typedef struct capstan {
     scene_rig rig;
     /* Adds the cylinder along z, about the origin. */
     void (*add_cylinder)(struct capstan *c);
+    /* Turns the cylinder, so that its surface moves that far against the pull; NULL: the end of the thread moves. */
+    void (*turn_cylinder)(struct capstan *c, double distance);
 } capstan;
 
 typedef struct capstan_ratios {

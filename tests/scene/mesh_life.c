@@ -1,5 +1,7 @@
 #include "scene/mesh_life.h"
 
+#include "base/rotation.h"
+
 #include <vblast_ss/scene_surface.h>
 
 enum {
@@ -19,9 +21,12 @@ typedef struct life {
     vbss_thread *thread;
     uint32_t tool;
     uint32_t mesh;
-    bool moves;              /* the mesh is a host surface */
+    mesh_life_kind kind;
     vec3 travel, turn, bend; /* velocity, m/s; angular velocity, rad/s; amplitude of a wave, m */
     double x[MAX_VERTICES][3];
+    vec3 place; /* of a rigid mesh, m */
+    quat orientation;
+    vec3 start[MAX_VERTICES], end[MAX_VERTICES]; /* in the part of a step, m */
     mesh_life_result *result;
 } life;
 
@@ -84,6 +89,18 @@ static void make_spindle(life *l)
     }
 }
 
+static void add_rigid_mesh(life *l)
+{
+    vbss_scene_rigid_config motion = vbss_scene_rigid_config_default();
+    motion.kind =
+        vbss_random_below(l->random, 3) == 0 ? VBSS_SCENE_RIGID_COUPLED : VBSS_SCENE_RIGID_DRIVEN;
+    motion.stiffness = draw(l, 200.0, 4000.0);
+    l->config.one_sided = 0;
+    l->place = vec3_zero();
+    l->orientation = quat_identity();
+    expect_ok(vbss_scene_add_rigid_mesh(l->s.scene, &motion, &l->config, &l->mesh));
+}
+
 static void add_mesh(life *l)
 {
     const bool is_closed = vbss_random_below(l->random, 2) == 0;
@@ -99,8 +116,12 @@ static void add_mesh(life *l)
     l->config.friction = draw(l, 0.0, 0.6);
     /* Bodies may go round the edge of a sheet and come from behind; so only closed meshes have one side. */
     l->config.one_sided = is_closed ? vbss_random_below(l->random, 2) : 0;
-    if (!l->moves) {
+    if (l->kind == MESH_LIFE_STATIC) {
         expect_ok(vbss_scene_add_static_mesh(l->s.scene, &l->config, &l->mesh));
+        return;
+    }
+    if (l->kind == MESH_LIFE_RIGID) {
+        add_rigid_mesh(l);
         return;
     }
     vbss_scene_surface_config surface = vbss_scene_surface_config_default();
@@ -144,7 +165,40 @@ static void move_mesh(life *l, uint32_t step)
     }
 }
 
+/* Back and forth about the origin, as fast as 20 m/s. */
+static void move_rigid_mesh(life *l, uint32_t step)
+{
+    const double h = 1e-3;
+    double position[3], orientation[4];
+    if (step % 15 == 0) {
+        const vec3 to = vec3_sub(draw_vec3(l, -5e-3, 5e-3), l->place);
+        l->travel = vec3_scale(vec3_unit_or(to, vec3_zero()), pow(10.0, draw(l, -1.0, 1.25)));
+        l->turn = draw_vec3(l, -400.0, 400.0);
+    }
+    const pose now = pose_make(l->place, l->orientation);
+    l->place = vec3_add_scaled(l->place, h, l->travel);
+    l->orientation =
+        quat_mul(vbss_quat_from_rotation_vector(vec3_scale(l->turn, h)), l->orientation);
+    const pose then = pose_make(l->place, l->orientation);
+    for (uint32_t i = 0; i < l->config.vertex_count; i++) {
+        const vec3 x = vec3_load(l->vertices[i]);
+        const double distance = vec3_distance(pose_apply(now, x), pose_apply(then, x));
+        l->result->fastest_vertex = fmax(l->result->fastest_vertex, distance / h);
+    }
+    pose_store(then, position, orientation);
+    expect_ok(vbss_scene_set_rigid_target(l->s.scene, l->mesh, position, orientation));
+    l->result->moves++;
+}
+
 /* ---- what passes */
+
+static const vec3 *place_vertices(scene_vertices from, uint32_t count, vec3 *to)
+{
+    for (uint32_t i = 0; i < count; i++) {
+        to[i] = scene_vertex(from, i);
+    }
+    return to;
+}
 
 static void watch(void *watcher, const scene_object *s)
 {
@@ -159,13 +213,14 @@ static void watch(void *watcher, const scene_object *s)
             chains[count++] = (passing_chain){t->now.x, t->trial, t->node_count, false};
         } else if (scene_is_mesh(b)) {
             const collision_shape *shape = s->collision->shapes[b->shape];
-            surface = (passing_surface){.start = scene_mesh_vertices(s, b),
-                                        .end = scene_mesh_trial_vertices(s, b),
-                                        .nodes = shape->node_count,
-                                        .triangles = shape->triangles[0],
-                                        .sides = shape->edges[0],
-                                        .triangle_count = shape->triangle_count,
-                                        .side_count = shape->edge_count};
+            surface = (passing_surface){
+                .start = place_vertices(scene_mesh_vertices(s, b), shape->node_count, l->start),
+                .end = place_vertices(scene_mesh_trial_vertices(s, b), shape->node_count, l->end),
+                .nodes = shape->node_count,
+                .triangles = shape->triangles[0],
+                .sides = shape->edges[0],
+                .triangle_count = shape->triangle_count,
+                .side_count = shape->edge_count};
         } else if (b->kind == SCENE_BODY_RIGID) {
             const scene_capsule *c = &s->capsules[b->rigid.first_capsule];
             chains[count++] = (passing_chain){c->now, c->trial, 2, false};
@@ -218,13 +273,14 @@ static void throw_thread(life *l)
     expect_ok(vbss_thread_set_state(l->thread, NULL, velocities[0], SEGMENTS + 1));
 }
 
-vbss_result mesh_life_run(vbss_random *random, uint32_t steps, bool moves, mesh_life_result *result)
+vbss_result mesh_life_run(vbss_random *random, uint32_t steps, mesh_life_kind kind,
+                          mesh_life_result *result)
 {
     static life l;
     memset(&l, 0, sizeof l);
     l.random = random;
     l.result = result;
-    l.moves = moves;
+    l.kind = kind;
     begin(&l);
     vec3 target = vec3_make(0.0, 25e-3, 0.0), place = target;
     double speed = 0.0;
@@ -241,8 +297,10 @@ vbss_result mesh_life_run(vbss_random *random, uint32_t steps, bool moves, mesh_
         place = vec3_add_scaled(place, fmin(speed * 1e-3, vec3_norm(to_target)),
                                 vec3_unit_or(to_target, vec3_zero()));
         small_move(&l.s, l.tool, place);
-        if (moves) {
+        if (kind == MESH_LIFE_SURFACE) {
             move_mesh(&l, i);
+        } else if (kind == MESH_LIFE_RIGID) {
+            move_rigid_mesh(&l, i);
         }
         done = vbss_scene_step(l.s.scene, 1e-3);
         result->steps++;

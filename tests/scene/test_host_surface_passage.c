@@ -8,7 +8,7 @@ static void nothing_passes_through_moving_surfaces(void **state)
     mesh_life_result result = {0};
     vbss_random_seed(&random, 1, 13);
     for (int i = 0; i < 20; i++) {
-        expect_ok(mesh_life_run(&random, 100, true, &result));
+        expect_ok(mesh_life_run(&random, 100, MESH_LIFE_SURFACE, &result));
     }
     assert_int_equal(result.passed, 0);
     assert_int_equal(result.steps, 2000);

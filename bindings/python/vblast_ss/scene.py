@@ -177,6 +177,22 @@ class Scene(Configured, Viewed, Saved):
         self._call(lib.vbss_scene_add_static_mesh, ctypes.byref(config), ctypes.byref(number))
         return number.value
 
+    def add_rigid_mesh(self, vertices: Any, triangles: Any, *, thickness: float | None = None, friction: float | None = None,
+                       **motion: Any) -> int:
+        """Adds a rigid body whose shape is a mesh; returns its number. `vertices` (n x 3, m, in the frame of the body),
+        `triangles` (m x 3 vertices). `kind` is "driven" (default), "coupled" or "free"; other keywords as in
+        vbss_scene_rigid_config: position, orientation, mass, gravity, stiffness."""
+        points = doubles(vertices, "vertices", row=3)
+        corners = numbers(triangles, ctypes.c_uint32, "triangles", row=3)
+        config = initialised(vbss_scene_rigid_config, lib.vbss_scene_rigid_config_init, motion, "a rigid mesh")
+        shape = {name: value for name, value in (("thickness", thickness), ("friction", friction)) if value is not None}
+        geometry = initialised(vbss_scene_static_mesh_config, lib.vbss_scene_static_mesh_config_init, shape, "a rigid mesh")
+        geometry.vertex_count, geometry.vertices = len(points) // 3, points
+        geometry.triangle_count, geometry.triangles = len(corners) // 3, corners
+        number = ctypes.c_uint32()
+        self._call(lib.vbss_scene_add_rigid_mesh, ctypes.byref(config), ctypes.byref(geometry), ctypes.byref(number))
+        return number.value
+
     def add_height_field(self, heights: Any, **settings: Any) -> int:
         """Adds a static mesh of heights (rows x columns, m) along y; returns its number. Columns are along x, rows along
         z; keywords as in vbss_scene_height_field_config: spacing, position, orientation, friction."""

@@ -56,14 +56,11 @@ static void warn_of_units(vbss_context *context, const vbss_scene_rigid_config *
                           "m/s^2", "mm/s^2");
 }
 
-static vbss_result check_rigid(const scene_object *s, const vbss_scene_rigid_config *c)
+vbss_result vbss_scene_check_rigid_motion(vbss_context *context, const vbss_scene_rigid_config *c)
 {
-    vbss_context *context = s->context;
     VBSS_TRY(
         vbss_check_range(context, c->kind, VBSS_SCENE_RIGID_DRIVEN, VBSS_SCENE_RIGID_FREE, "kind"));
-    VBSS_TRY(vbss_check_range(context, c->capsule_count, 1.0, 256.0, "capsule_count"));
     VBSS_TRY(vbss_check_range(context, c->reserved, 0.0, 0.0, "reserved"));
-    VBSS_TRY(vbss_check_pointer(context, c->capsules, "capsules"));
     VBSS_TRY(vbss_check_vector(context, c->position, 1e3, "position"));
     VBSS_TRY(vbss_check_vector(context, c->velocity, 1e5, "velocity"));
     VBSS_TRY(vbss_check_vector(context, c->angular_velocity, 1e6, "angular_velocity"));
@@ -73,7 +70,18 @@ static vbss_result check_rigid(const scene_object *s, const vbss_scene_rigid_con
     VBSS_TRY(vbss_check_range(context, c->stiffness, 0.0, 1e9, "stiffness"));
     VBSS_TRY(vbss_check_range(context, c->damping, 0.0, 1e6, "damping"));
     VBSS_TRY(vbss_check_range(context, c->turning_stiffness, 0.0, 1e9, "turning_stiffness"));
-    VBSS_TRY(vbss_check_range(context, c->turning_damping, 0.0, 1e6, "turning_damping"));
+    return vbss_check_range(context, c->turning_damping, 0.0, 1e6, "turning_damping");
+}
+
+static vbss_result check_rigid(const scene_object *s, const vbss_scene_rigid_config *c)
+{
+    vbss_context *context = s->context;
+    VBSS_TRY(
+        vbss_check_range(context, c->kind, VBSS_SCENE_RIGID_DRIVEN, VBSS_SCENE_RIGID_FREE, "kind"));
+    VBSS_TRY(vbss_check_range(context, c->capsule_count, 1.0, 256.0, "capsule_count"));
+    VBSS_TRY(vbss_check_range(context, c->reserved, 0.0, 0.0, "reserved"));
+    VBSS_TRY(vbss_check_pointer(context, c->capsules, "capsules"));
+    VBSS_TRY(vbss_scene_check_rigid_motion(context, c));
     for (uint32_t i = 0; i < c->capsule_count; i++) {
         VBSS_TRY(check_capsule(context, &c->capsules[i]));
     }
@@ -97,8 +105,8 @@ static vbss_result distribute_mass(const scene_object *s, const vbss_scene_rigid
     return VBSS_OK;
 }
 
-static void init_rigid(scene_rigid *r, const vbss_scene_rigid_config *c,
-                       const vbss_rigid_mass *mass, quat orientation)
+void vbss_scene_init_rigid(scene_rigid *r, const vbss_scene_rigid_config *c,
+                           const vbss_rigid_mass *mass, quat orientation)
 {
     pose at = pose_mul(pose_make(vec3_load(c->position), orientation), mass->frame);
     vec3 w = vec3_load(c->angular_velocity);
@@ -164,6 +172,13 @@ typedef struct new_rigid {
     quat orientation;
 } new_rigid;
 
+vbss_result vbss_scene_read_rigid_config(vbss_context *context,
+                                         const vbss_scene_rigid_config *config,
+                                         vbss_scene_rigid_config *own)
+{
+    return vbss_config_read(context, &rigid_layout, config, own);
+}
+
 static vbss_result read_rigid(const scene_object *s, const vbss_scene_rigid_config *config,
                               new_rigid *read)
 {
@@ -184,7 +199,7 @@ static vbss_result add_rigid(scene_object *s, const new_rigid *added, uint32_t *
     scene_body *b;
     VBSS_TRY(vbss_scene_find_free_body(s, SCENE_BODY_RIGID, &b));
     scene_rigid rigid;
-    init_rigid(&rigid, c, &added->mass, added->orientation);
+    vbss_scene_init_rigid(&rigid, c, &added->mass, added->orientation);
     write_capsules(s, &rigid, c);
     return vbss_scene_place_rigid(s, &rigid, b, body);
 }

@@ -26,9 +26,22 @@ static const uint32_t mesh_sizes[] = {
 static const vbss_layout mesh_layout = {"vbss_scene_static_mesh_config", &mesh_defaults,
                                         mesh_sizes};
 
-/* Category bit of the shapes of static meshes in the collision object: they form no pairs with each
- * other. The filters of bodies are another matter (world/filters.c). Chosen. */
+/* Category bit of the shapes of meshes in the collision object: they form no pairs with each other. The
+ * filters of bodies are another matter (world/filters.c). Chosen. */
 enum { MESH_CATEGORY = 2 };
+
+void vbss_scene_set_mesh_category(collision_shape *shape)
+{
+    shape->category = MESH_CATEGORY;
+    shape->mask = ~(uint32_t)MESH_CATEGORY;
+}
+
+vbss_result vbss_scene_read_mesh_config(vbss_context *context,
+                                        const vbss_scene_static_mesh_config *config,
+                                        vbss_scene_static_mesh_config *own)
+{
+    return vbss_config_read(context, &mesh_layout, config, own);
+}
 
 vbss_result vbss_scene_static_mesh_config_init(vbss_scene_static_mesh_config *config,
                                                uint32_t struct_size)
@@ -73,14 +86,14 @@ vbss_result vbss_scene_check_static_mesh(vbss_context *context,
     return check_triangles(context, c);
 }
 
-static uint64_t hash_geometry(const collision_shape *shape, bool is_one_sided)
+uint64_t vbss_scene_hash_mesh(const collision_shape *shape, vec3 *vertices, bool is_one_sided)
 {
     vbss_stream stream;
     uint64_t topology = shape->topology_hash;
     uint32_t one_sided = is_one_sided ? 1 : 0;
     vbss_stream_begin_hash(&stream);
     vbss_stream_u64(&stream, 1, &topology, 1);
-    vbss_stream_f64(&stream, 2, &shape->start->x, 3 * (size_t)shape->node_count);
+    vbss_stream_f64(&stream, 2, &vertices->x, 3 * (size_t)shape->node_count);
     vbss_stream_u32(&stream, 3, &one_sided, 1);
     return vbss_hash_end(&stream.hash);
 }
@@ -91,10 +104,9 @@ vbss_result vbss_scene_set_up_mesh(scene_object *s, const double *vertices, coll
     memcpy(shape->start, vertices, shape->node_count * sizeof *shape->start);
     memcpy(shape->end, vertices, shape->node_count * sizeof *shape->end);
     VBSS_TRY(vbss_scene_create_static_mesh(s, m, shape));
-    m->geometry_hash = hash_geometry(shape, m->is_one_sided);
+    m->geometry_hash = vbss_scene_hash_mesh(shape, shape->start, m->is_one_sided);
     shape->is_rigid = shape->is_static = true;
-    shape->category = MESH_CATEGORY;
-    shape->mask = ~(uint32_t)MESH_CATEGORY;
+    vbss_scene_set_mesh_category(shape);
     vbss_collision_update_displacements(shape);
     vbss_collision_shape_update_boxes(shape);
     vbss_collision_shape_refit_points(shape);
@@ -137,7 +149,7 @@ static vbss_result add_mesh(scene_object *s, const vbss_scene_static_mesh_config
 {
     const scene_outline outline = {.surface = {(const vec3 *)(const void *)c->vertices,
                                                (const uint32_t(*)[3])(const void *)c->triangles,
-                                               c->triangle_count, 0.5 * c->thickness},
+                                               c->triangle_count, 0.5 * c->thickness, false},
                                    .is_prescribed = true};
     VBSS_TRY(vbss_scene_check_overlap(s, &outline, "static mesh"));
     scene_body *b;
@@ -175,7 +187,7 @@ vbss_result vbss_scene_add_static_mesh(vbss_scene *scene,
     vbss_scene_static_mesh_config own;
     VBSS_TRY(vbss_scene_open_mutable(scene, &s));
     VBSS_TRY(vbss_check_pointer(s->context, body, "body"));
-    VBSS_TRY(vbss_config_read(s->context, &mesh_layout, config, &own));
+    VBSS_TRY(vbss_scene_read_mesh_config(s->context, config, &own));
     VBSS_TRY(vbss_scene_check_mesh_method(s));
     return vbss_scene_add_checked_mesh(scene, s, &own, body);
 }

@@ -320,6 +320,25 @@ static bool are_capsules_valid(const scene_capsule *capsules, uint32_t count)
     return valid;
 }
 
+/* A rigid body at the origin, without its shape; the state has its pose. */
+static vbss_result init_rigid(const scene_loader *l, const scene_rigid_description *c,
+                              scene_rigid *rigid)
+{
+    *rigid = (scene_rigid){.kind = c->kind,
+                           .capsule_count = c->capsule_count,
+                           .friction = c->friction,
+                           .created_friction = c->friction,
+                           .frame = c->frame};
+    rigid->body.mass = c->mass;
+    rigid->body.inertia = c->inertia;
+    rigid->body.now.pose = rigid->body.target_start = rigid->body.target_end = rigid->trial =
+        c->frame;
+    return c->kind >= VBSS_SCENE_RIGID_DRIVEN && c->kind <= VBSS_SCENE_RIGID_FREE &&
+                   vbss_rigid_is_valid(&rigid->body) && c->friction >= 0.0 && c->friction <= 10.0
+               ? VBSS_OK
+               : refuse(l, "no such rigid body");
+}
+
 static vbss_result load_rigid(scene_loader *l, const scene_body_description *d)
 {
     const scene_rigid_description *c = &d->rigid;
@@ -334,17 +353,9 @@ static vbss_result load_rigid(scene_loader *l, const scene_body_description *d)
         capsules[i].local_end[1] = capsules[i].local[1];
     }
     VBSS_TRY(check_stream(l));
-    scene_rigid rigid = {.kind = c->kind,
-                         .capsule_count = c->capsule_count,
-                         .friction = c->friction,
-                         .created_friction = c->friction,
-                         .frame = c->frame};
-    rigid.body.mass = c->mass;
-    rigid.body.inertia = c->inertia;
-    rigid.body.now.pose = rigid.body.target_start = rigid.body.target_end = rigid.trial = c->frame;
-    if (c->kind < VBSS_SCENE_RIGID_DRIVEN || c->kind > VBSS_SCENE_RIGID_FREE ||
-        !vbss_rigid_is_valid(&rigid.body) || !(c->friction >= 0.0 && c->friction <= 10.0) ||
-        !are_capsules_valid(capsules, c->capsule_count)) {
+    scene_rigid rigid;
+    VBSS_TRY(init_rigid(l, c, &rigid));
+    if (!are_capsules_valid(capsules, c->capsule_count)) {
         return refuse(l, "no such rigid body");
     }
     VBSS_TRY(claim_place(l, d, SCENE_BODY_RIGID, &b));
@@ -378,6 +389,42 @@ static vbss_result read_mesh_arrays(scene_loader *l, const scene_static_mesh_des
     return result;
 }
 
+static vbss_scene_static_mesh_config config_of_mesh(const scene_static_mesh_description *m,
+                                                    const mesh_arrays *x)
+{
+    vbss_scene_static_mesh_config config = vbss_scene_static_mesh_config_default();
+    config.vertex_count = m->vertex_count;
+    config.triangle_count = m->triangle_count;
+    config.one_sided = m->one_sided;
+    config.vertices = x->vertices;
+    config.triangles = x->triangles;
+    config.friction = m->friction;
+    config.thickness = m->thickness;
+    return config;
+}
+
+static vbss_result load_rigid_mesh(scene_loader *l, const scene_body_description *d)
+{
+    const scene_static_mesh_description *m = &d->rigid_mesh.mesh;
+    mesh_arrays x;
+    uint32_t number;
+    scene_body *b;
+    scene_rigid rigid;
+    VBSS_TRY(init_rigid(l, &d->rigid_mesh.rigid, &rigid));
+    if (rigid.capsule_count != 0) {
+        return refuse(l, "a mesh with capsules");
+    }
+    VBSS_TRY(claim_place(l, d, SCENE_BODY_RIGID, &b));
+    VBSS_TRY(read_mesh_arrays(l, m, &x));
+    const vbss_scene_static_mesh_config config = config_of_mesh(m, &x);
+    vbss_result result = check_created(l, vbss_scene_check_rigid_mesh(l->s->context, &config));
+    if (result == VBSS_OK) {
+        result = vbss_scene_place_rigid_mesh(l->s, &rigid, &config, true, b, &number);
+    }
+    vbss_release_arrays(l->s->context, x.table, 2);
+    return result;
+}
+
 static vbss_result load_static_mesh(scene_loader *l, const scene_body_description *d)
 {
     const scene_static_mesh_description *m = &d->static_mesh;
@@ -386,14 +433,7 @@ static vbss_result load_static_mesh(scene_loader *l, const scene_body_descriptio
     scene_body *b;
     VBSS_TRY(claim_place(l, d, SCENE_BODY_RIGID, &b));
     VBSS_TRY(read_mesh_arrays(l, m, &x));
-    vbss_scene_static_mesh_config config = vbss_scene_static_mesh_config_default();
-    config.vertex_count = m->vertex_count;
-    config.triangle_count = m->triangle_count;
-    config.one_sided = m->one_sided;
-    config.vertices = x.vertices;
-    config.triangles = x.triangles;
-    config.friction = m->friction;
-    config.thickness = m->thickness;
+    const vbss_scene_static_mesh_config config = config_of_mesh(m, &x);
     vbss_result result = check_created(l, vbss_scene_check_static_mesh(l->s->context, &config));
     if (result == VBSS_OK) {
         result = vbss_scene_place_static_mesh(l->s, &config, b, &number);
@@ -503,6 +543,8 @@ static vbss_result load_body(scene_loader *l)
         return load_grasper(l, &d);
     case SCENE_DESCRIBED_STATIC_MESH:
         return load_static_mesh(l, &d);
+    case SCENE_DESCRIBED_RIGID_MESH:
+        return load_rigid_mesh(l, &d);
     case SCENE_DESCRIBED_PLANE:
         return load_plane(l, &d);
     case SCENE_DESCRIBED_HOST_SURFACE:

@@ -5,14 +5,14 @@
 scene_surface vbss_scene_surface_of_drain(const drain_object *d)
 {
     return (scene_surface){d->x, (const uint32_t(*)[3])d->mesh.triangles, d->mesh.triangle_count,
-                           0.5 * d->config.thickness};
+                           0.5 * d->config.thickness, false};
 }
 
 static scene_surface surface_of_mesh(const scene_object *s, const scene_body *b)
 {
     const collision_shape *shape = s->collision->shapes[b->shape];
-    return (scene_surface){scene_mesh_vertices(s, b), (const uint32_t(*)[3])shape->triangles,
-                           shape->triangle_count, shape->radius};
+    return (scene_surface){scene_mesh_vertices(s, b).x, (const uint32_t(*)[3])shape->triangles,
+                           shape->triangle_count, shape->radius, b->rigid.is_rigid_mesh};
 }
 
 scene_outline vbss_scene_outline_of(const scene_object *s, const scene_body *b)
@@ -28,6 +28,7 @@ scene_outline vbss_scene_outline_of(const scene_object *s, const scene_body *b)
     default:
         if (scene_is_mesh(b)) {
             o.surface = surface_of_mesh(s, b);
+            o.at = b->rigid.body.now.pose;
         } else if (b->rigid.is_plane) {
             o.plane = &b->rigid.plane;
         } else {
@@ -61,8 +62,9 @@ uint32_t vbss_scene_outline_segments(const scene_outline *o)
 scene_triangle vbss_scene_outline_triangle(const scene_outline *o, uint32_t index)
 {
     const uint32_t *n = o->surface.triangles[index];
-    const vec3 *x = o->surface.vertices;
-    return (scene_triangle){{x[n[0]], x[n[1]], x[n[2]]}, o->surface.radius};
+    const scene_vertices x = {o->surface.vertices, o->surface.is_posed ? &o->at : NULL};
+    return (scene_triangle){{scene_vertex(x, n[0]), scene_vertex(x, n[1]), scene_vertex(x, n[2])},
+                            o->surface.radius};
 }
 
 /* An edge of a triangle. */

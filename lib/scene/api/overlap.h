@@ -11,6 +11,7 @@ typedef struct scene_surface {
     const uint32_t (*triangles)[3];
     uint32_t triangle_count; /* 0: the body is no surface */
     double radius;           /* half the thickness, m */
+    bool is_posed;           /* the vertices are in the frame `at` of the outline */
 } scene_surface;
 
 typedef struct scene_triangle {
@@ -28,8 +29,8 @@ typedef struct scene_outline {
     const grasper_object *grasper;           /* the same */
     const vbss_scene_rigid_config *capsules; /* the same */
     const scene_rigid *rigid;                /* in the scene: needles and graspers too */
-    pose at;                                 /* frame of `grasper` or `capsules` in the world */
-    uint32_t number;                         /* body number; 0 before it is added */
+    pose at;            /* frame of `grasper`, `capsules` or a posed surface in the world */
+    uint32_t number;    /* body number; 0 before it is added */
     bool is_prescribed; /* moved by the host alone: see world/driven_overlaps.c for two of them */
     bool ignores_holes; /* a surface: parts of sutures at its holes do not overlap it */
 } scene_outline;

@@ -62,6 +62,38 @@ vbss_result vbss_scene_place_static_mesh(scene_object *s,
 vbss_result vbss_scene_set_up_mesh(scene_object *s, const double *vertices, collision_shape *shape,
                                    scene_static_mesh *mesh);
 
+/* Lets a shape form no pairs with other meshes. */
+void vbss_scene_set_mesh_category(collision_shape *shape);
+
+/* Hash of triangles, thickness, vertices and sides of a mesh. The stream writes nothing to `vertices`. */
+uint64_t vbss_scene_hash_mesh(const collision_shape *shape, vec3 *vertices, bool is_one_sided);
+
+/* Reads the configuration of a host: of a static mesh, of a rigid body. */
+vbss_result vbss_scene_read_mesh_config(vbss_context *context,
+                                        const vbss_scene_static_mesh_config *config,
+                                        vbss_scene_static_mesh_config *own);
+vbss_result vbss_scene_read_rigid_config(vbss_context *context,
+                                         const vbss_scene_rigid_config *config,
+                                         vbss_scene_rigid_config *own);
+
+/* Checks everything of a rigid body but its capsules, and sets the error text. */
+vbss_result vbss_scene_check_rigid_motion(vbss_context *context,
+                                          const vbss_scene_rigid_config *config);
+
+/* Sets a rigid body at its pose, with its motion and mass, without its shape. */
+void vbss_scene_init_rigid(scene_rigid *r, const vbss_scene_rigid_config *config,
+                           const vbss_rigid_mass *mass, quat orientation);
+
+/* Places a rigid body whose shape is a mesh. `config`: its geometry; the vertices are in the frame that
+ * hosts see, or if `is_principal` in the principal frame. */
+vbss_result vbss_scene_place_rigid_mesh(scene_object *s, const scene_rigid *rigid,
+                                        const vbss_scene_static_mesh_config *config,
+                                        bool is_principal, scene_body *b, uint32_t *body);
+
+/* Checks the geometry of a rigid mesh, and sets the error text. */
+vbss_result vbss_scene_check_rigid_mesh(vbss_context *context,
+                                        const vbss_scene_static_mesh_config *config);
+
 /* Checks a static mesh and adds it, as an edit of the host. */
 vbss_result vbss_scene_add_checked_mesh(vbss_scene *scene, scene_object *s,
                                         const vbss_scene_static_mesh_config *config,

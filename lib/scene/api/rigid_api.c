@@ -26,7 +26,7 @@ vbss_result vbss_scene_set_rigid_target(vbss_scene *scene, uint32_t body, const 
         return vbss_fail(s->context, VBSS_ERROR_INCOMPATIBLE,
                          "body %u is a grasper: it goes where vbss_grasper_set_target says", body);
     }
-    if (scene_is_mesh(b) || r->is_plane) {
+    if ((scene_is_mesh(b) && !r->is_rigid_mesh) || r->is_plane) {
         return vbss_fail(s->context, VBSS_ERROR_INCOMPATIBLE,
                          r->is_plane         ? "body %u is a plane"
                          : r->is_static_mesh ? "body %u is a static mesh"

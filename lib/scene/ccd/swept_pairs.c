@@ -71,6 +71,15 @@ static bool do_pairs_start_apart(const scene_object *s)
     return is_apart;
 }
 
+/* Whether all vertices of a rigid mesh end where the broad phase expected them, up to half of the contact margin. */
+static bool does_end_as_expected(const scene_object *s, const scene_body *mesh)
+{
+    const double margin = SCENE_CCD_MARGIN_RATIO * s->solver.contact_margin;
+    const scene_rigid *r = &mesh->rigid;
+    return vbss_collision_largest_offset(s->collision->shapes[mesh->shape], r->expected,
+                                         r->trial) <= margin;
+}
+
 static double find_max_displacement(const vertex_motion *m)
 {
     double largest = 0.0;
@@ -85,17 +94,32 @@ scene_substep_outcome vbss_scene_list_ccd_pairs(scene_object *s)
 {
     bool is_expected = true;
     for (uint32_t i = 0; i < s->body_count; i++) {
-        if (s->bodies[i].kind != SCENE_BODY_NONE) {
-            const vertex_motion m = vertex_motion_of(s, &s->bodies[i]);
+        scene_body *b = &s->bodies[i];
+        if (scene_is_rigid_mesh(b)) {
+            is_expected = is_expected && does_end_as_expected(s, b);
+            b->max_displacement = vbss_collision_largest_distance(
+                s->collision->shapes[b->shape], b->rigid.body.now.pose, b->rigid.trial);
+        } else if (b->kind != SCENE_BODY_NONE) {
+            const vertex_motion m = vertex_motion_of(s, b);
             is_expected = is_expected && is_inside_motion_bounds(s, &m);
             /* Pairs at holes use it in either case. */
-            s->bodies[i].max_displacement = find_max_displacement(&m);
+            b->max_displacement = find_max_displacement(&m);
         }
     }
     s->step.can_skip_slow_pairs = is_expected && do_pairs_start_apart(s);
     for (uint32_t i = 0; i < s->body_count; i++) {
         const scene_body *b = &s->bodies[i];
         if (b->kind == SCENE_BODY_NONE || scene_is_static_mesh(b) || scene_is_plane(b)) {
+            continue;
+        }
+        if (scene_is_rigid_mesh(b)) {
+            if (is_expected) {
+                vbss_collision_set_end_pose(s->collision->shapes[b->shape], b->rigid.trial);
+            } else if (vbss_collision_set_pose_motion(s->collision, b->shape,
+                                                      b->rigid.body.now.pose, b->rigid.trial,
+                                                      1.0) != VBSS_OK) {
+                return SCENE_SUBSTEP_SINGULAR;
+            }
             continue;
         }
         const vertex_motion m = vertex_motion_of(s, b);

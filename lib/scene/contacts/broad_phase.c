@@ -10,6 +10,10 @@ static vbss_result sweep_shape(scene_object *s, const scene_body *b)
     uint32_t count = 0;
     const vec3 *displacements = s->step.expected_displacements;
     vec3 *start = s->scratch.vertices;
+    if (scene_is_rigid_mesh(b)) {
+        return vbss_collision_set_pose_motion(s->collision, b->shape, b->rigid.body.now.pose,
+                                              b->rigid.expected, SCENE_EXTRAPOLATION_RATIO);
+    }
     if (b->kind == SCENE_BODY_THREAD) {
         const thread_object *t = b->thread.thread;
         count = t->node_count;

@@ -111,7 +111,7 @@ bool vbss_scene_is_behind_mesh(const scene_object *s, const collision_candidate 
 /* Normal of a contact with the edge of a mesh whose vertices are at `x`. `separation`: from the point at fraction
  * `at` of the edge to the closest point of the other body. If that body is over a triangle beside the edge, and not below its
  * plane, the triangle's normal, otherwise the direction of the separation; zero if there is none. */
-vec3 vbss_scene_mesh_normal(const scene_object *s, const scene_body *mesh, const vec3 *x,
+vec3 vbss_scene_mesh_normal(const scene_object *s, const scene_body *mesh, scene_vertices x,
                             uint32_t edge, double at, double contact_distance, vec3 separation);
 
 /* ---- motion_bounds.c */

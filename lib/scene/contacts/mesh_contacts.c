@@ -1,4 +1,4 @@
-/* Static meshes and host surfaces: directions in which their edges push, and which features are behind a one-sided static mesh.
+/* Static meshes, rigid meshes and host surfaces: directions in which their edges push, and which features are behind a one-sided static mesh.
  *
  * An edge ahead of a thread that slides over level triangles is at a slant to it. A contact along the slant would brake
  * the thread. It acts along the normal of the triangle instead, unless the thread is below the plane of the
@@ -11,10 +11,15 @@
 typedef struct mesh_view {
     const collision_shape *shape;
     const scene_static_mesh *mesh;
-    const vec3 *x; /* positions of the vertices, m */
+    scene_vertices x;
 } mesh_view;
 
-static mesh_view view_of(const scene_object *s, const scene_body *b, const vec3 *x)
+static vec3 vertex_of(const mesh_view *v, uint32_t index)
+{
+    return scene_vertex(v->x, index);
+}
+
+static mesh_view view_of(const scene_object *s, const scene_body *b, scene_vertices x)
 {
     return (mesh_view){s->collision->shapes[b->shape], &b->rigid.mesh, x};
 }
@@ -22,9 +27,9 @@ static mesh_view view_of(const scene_object *s, const scene_body *b, const vec3 
 /* Normal of a triangle; its length is twice the area. */
 static vec3 area_normal(const mesh_view *v, uint32_t triangle)
 {
-    const vec3 *x = v->x;
     const uint32_t *n = v->shape->triangles[triangle];
-    return vec3_cross(vec3_sub(x[n[1]], x[n[0]]), vec3_sub(x[n[2]], x[n[0]]));
+    const vec3 first = vertex_of(v, n[0]);
+    return vec3_cross(vec3_sub(vertex_of(v, n[1]), first), vec3_sub(vertex_of(v, n[2]), first));
 }
 
 /* ---- normals of edges */
@@ -50,13 +55,15 @@ static vec3 normal_inside_edge(const mesh_view *v, uint32_t number, double small
                                vec3 separation)
 {
     const uint32_t *edge = v->shape->edges[number], *beside = v->mesh->triangles_of_edge[number];
-    const vec3 *x = v->x, along = vec3_sub(x[edge[1]], x[edge[0]]);
+    const vec3 begin = vertex_of(v, edge[0]), along = vec3_sub(vertex_of(v, edge[1]), begin);
     nearest_plane nearest = {separation, (double)INFINITY, smallest};
     for (uint32_t i = 0; i < 2 && beside[i] != SCENE_NO_FACE; i++) {
         const uint32_t *n = v->shape->triangles[beside[i]];
         const vec3 area = area_normal(v, beside[i]), across = vec3_cross(area, along);
-        const vec3 middle = vec3_scale(vec3_add(x[n[0]], vec3_add(x[n[1]], x[n[2]])), 1.0 / 3.0);
-        const double side = vec3_dot(across, vec3_sub(middle, x[edge[0]]));
+        const vec3 sum =
+            vec3_add(vertex_of(v, n[0]), vec3_add(vertex_of(v, n[1]), vertex_of(v, n[2])));
+        const vec3 middle = vec3_scale(sum, 1.0 / 3.0);
+        const double side = vec3_dot(across, vec3_sub(middle, begin));
         if (side * vec3_dot(across, separation) > 0.0) {
             use_plane(&nearest, area, separation);
         }
@@ -67,11 +74,11 @@ static vec3 normal_inside_edge(const mesh_view *v, uint32_t number, double small
 /* Sides of a triangle from one of its corners, in the order of the triangle. */
 static void get_sides_at(const mesh_view *v, uint32_t triangle, uint32_t vertex, vec3 sides[2])
 {
-    const vec3 *x = v->x;
     const uint32_t *n = v->shape->triangles[triangle];
     const uint32_t corner = n[0] == vertex ? 0 : n[1] == vertex ? 1 : 2;
-    sides[0] = vec3_sub(x[n[(corner + 1) % 3]], x[vertex]);
-    sides[1] = vec3_sub(x[n[(corner + 2) % 3]], x[vertex]);
+    const vec3 at = vertex_of(v, vertex);
+    sides[0] = vec3_sub(vertex_of(v, n[(corner + 1) % 3]), at);
+    sides[1] = vec3_sub(vertex_of(v, n[(corner + 2) % 3]), at);
 }
 
 static vec3 normal_at_vertex(const mesh_view *v, uint32_t vertex, double smallest, vec3 separation)
@@ -100,16 +107,28 @@ static vec3 normal_at_vertex(const mesh_view *v, uint32_t vertex, double smalles
                                                : vec3_add_scaled(separation, -ahead, ridge);
 }
 
-vec3 vbss_scene_mesh_normal(const scene_object *s, const scene_body *mesh, const vec3 *x,
-                            uint32_t edge, double at, double contact_distance, vec3 separation)
+/* The vertices and the separation are in one frame, and so is the normal. */
+static vec3 normal_at_edge(const mesh_view *v, uint32_t edge, double at, double contact_distance,
+                           vec3 separation)
 {
     const double smallest = (1.0 - SCENE_PLANE_TOLERANCE) * contact_distance;
-    const mesh_view v = view_of(s, mesh, x);
     const vec3 direction =
         at > 0.0 && at < 1.0
-            ? normal_inside_edge(&v, edge, smallest, separation)
-            : normal_at_vertex(&v, v.shape->edges[edge][at > 0.0 ? 1 : 0], smallest, separation);
+            ? normal_inside_edge(v, edge, smallest, separation)
+            : normal_at_vertex(v, v->shape->edges[edge][at > 0.0 ? 1 : 0], smallest, separation);
     return vec3_unit_or(direction, vec3_unit_or(separation, vec3_zero()));
+}
+
+/* In the frame of a rigid mesh, which saves the transformation of the vertices around the edge. */
+vec3 vbss_scene_mesh_normal(const scene_object *s, const scene_body *mesh, scene_vertices x,
+                            uint32_t edge, double at, double contact_distance, vec3 separation)
+{
+    const mesh_view v = view_of(s, mesh, (scene_vertices){x.x, NULL});
+    if (x.at == NULL) {
+        return normal_at_edge(&v, edge, at, contact_distance, separation);
+    }
+    const vec3 local = quat_rotate_back(x.at->orientation, separation);
+    return quat_rotate(x.at->orientation, normal_at_edge(&v, edge, at, contact_distance, local));
 }
 
 /* ---- one-sided meshes */
@@ -117,7 +136,7 @@ vec3 vbss_scene_mesh_normal(const scene_object *s, const scene_body *mesh, const
 static double height_over(const mesh_view *v, uint32_t triangle, vec3 point)
 {
     return vec3_dot(area_normal(v, triangle),
-                    vec3_sub(point, v->x[v->shape->triangles[triangle][0]]));
+                    vec3_sub(point, vertex_of(v, v->shape->triangles[triangle][0])));
 }
 
 /* One or two triangles at an edge, as a wedge. */
@@ -136,7 +155,7 @@ static wedge wedge_at(const mesh_view *v, uint32_t number)
     for (int k = 0; k < 3 && w.count == 2; k++) {
         const uint32_t corner = v->shape->triangles[w.triangles[1]][k];
         if (corner != edge[0] && corner != edge[1]) {
-            w.is_convex = height_over(v, w.triangles[0], v->x[corner]) <= 0.0;
+            w.is_convex = height_over(v, w.triangles[0], vertex_of(v, corner)) <= 0.0;
         }
     }
     return w;
@@ -164,10 +183,11 @@ static bool does_intersect(const mesh_view *v, uint32_t triangle, const vec3 seg
     if ((first < 0.0) == (second < 0.0)) {
         return false;
     }
-    const vec3 point = vec3_lerp(segment[0], segment[1], first / (first - second)), *x = v->x;
+    const vec3 point = vec3_lerp(segment[0], segment[1], first / (first - second));
     const uint32_t *n = v->shape->triangles[triangle];
-    const vec3 corners[3] = {vec3_sub(x[n[0]], point), vec3_sub(x[n[1]], point),
-                             vec3_sub(x[n[2]], point)};
+    const vec3 corners[3] = {vec3_sub(vertex_of(v, n[0]), point),
+                             vec3_sub(vertex_of(v, n[1]), point),
+                             vec3_sub(vertex_of(v, n[2]), point)};
     double weights[3];
     (void)closest_on_triangle(corners, weights);
     return weights[0] > 0.0 && weights[1] > 0.0 && weights[2] > 0.0;

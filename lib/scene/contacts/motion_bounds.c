@@ -22,13 +22,12 @@ static void set_thread_displacements(scene_object *s, const scene_thread *b,
     }
 }
 
-static void set_capsule_displacements(scene_object *s, const scene_rigid *r,
-                                      const scene_substep *substep)
+static void set_rigid_displacements(scene_object *s, scene_rigid *r, const scene_substep *substep)
 {
     const vbss_rigid_substep p = {substep->step_length, substep->start_fraction,
                                   substep->end_fraction};
     vbss_rigid_motion next_motion;
-    if (r->capsule_count == 0) { /* a static mesh or a plane */
+    if (r->capsule_count == 0 && !r->is_rigid_mesh) { /* a static mesh or a plane */
         return;
     }
     if (r->kind == VBSS_SCENE_RIGID_DRIVEN) {
@@ -36,6 +35,7 @@ static void set_capsule_displacements(scene_object *s, const scene_rigid *r,
     } else {
         vbss_rigid_predict(&r->body, &p, &next_motion);
     }
+    r->expected = substep->uses_trial_motion ? r->trial : next_motion.pose;
     for (uint32_t i = r->first_capsule; i < r->first_capsule + r->capsule_count; i++) {
         scene_capsule *c = &s->capsules[i];
         vec3 *displacements =
@@ -86,7 +86,8 @@ static void set_no_displacements(scene_object *s, scene_body *b)
     } else if (scene_host_surface_of(b) != NULL) {
         vbss_scene_hold_host_surface(b->rigid.surface);
     } else if (b->kind == SCENE_BODY_RIGID) {
-        const scene_rigid *r = &b->rigid;
+        scene_rigid *r = &b->rigid;
+        r->expected = r->body.now.pose;
         displacements += s->config.node_capacity + 2 * (size_t)r->first_capsule;
         count = 2 * r->capsule_count;
         for (uint32_t i = r->first_capsule; i < r->first_capsule + r->capsule_count; i++) {
@@ -118,7 +119,7 @@ void vbss_scene_set_motion_bounds(scene_object *s, const scene_substep *substep)
         } else if (scene_host_surface_of(&s->bodies[i]) != NULL) {
             vbss_scene_advance_host_surface(s->bodies[i].rigid.surface, substep);
         } else if (s->bodies[i].kind == SCENE_BODY_RIGID) {
-            set_capsule_displacements(s, &s->bodies[i].rigid, substep);
+            set_rigid_displacements(s, &s->bodies[i].rigid, substep);
         } else if (s->bodies[i].kind == SCENE_BODY_DRAIN) {
             set_drain_displacements(&s->bodies[i].drain, substep);
         }

@@ -107,9 +107,20 @@ static void get_surface_vertices(const side *d, const vec3 *x, vec3 vertices[3])
     }
 }
 
-/* Vertices of a mesh. The motion of a host surface is known, and needs no prediction. */
-static const vec3 *mesh_vertices(const scene_object *s, const scene_body *b, moment when)
+static void get_mesh_vertices(const side *d, scene_vertices x, vec3 vertices[3])
 {
+    vertices[1] = scene_vertex(x, d->nodes[0]);
+    for (uint32_t k = 0; k < d->vertex_count; k++) {
+        vertices[k] = scene_vertex(x, d->nodes[k]);
+    }
+}
+
+/* Vertices of a mesh. The motion of a host surface is known, and needs no prediction. */
+static scene_vertices mesh_vertices(const scene_object *s, const scene_body *b, moment when)
+{
+    if (when == AT_PREDICTED && scene_is_rigid_mesh(b)) {
+        return (scene_vertices){s->collision->shapes[b->shape]->posed->local, &b->rigid.expected};
+    }
     return when == AT_START ? scene_mesh_vertices(s, b) : scene_mesh_trial_vertices(s, b);
 }
 
@@ -141,7 +152,7 @@ static void get_vertices(const scene_object *s, const side *d, moment when, vec3
         const drain_object *own = b->drain.drain;
         get_surface_vertices(d, trial ? own->trial : own->x, vertices);
     } else if (d->capsule == NULL) {
-        get_surface_vertices(d, mesh_vertices(s, b, when), vertices);
+        get_mesh_vertices(d, mesh_vertices(s, b, when), vertices);
     } else {
         get_capsule_vertices(d, trial ? d->capsule->trial : d->capsule->now, vertices);
     }
@@ -408,7 +419,12 @@ static vec3 update_side(const scene_object *s, contact_constraint *constraint, c
     }
     vec3 centre = point_of(d, vertices, weights), point = vec3_add(centre, out);
     add_jacobian(s, constraint, d, weights, point, sign);
-    if (d->capsule != NULL) {
+    if (scene_is_rigid_mesh(d->body)) { /* the point of the surface, which turns with the body */
+        const scene_rigid *r = &d->body->rigid;
+        start_point = pose_apply(r->body.now.pose, pose_apply_inverse(r->trial, point));
+        constraint->relative_displacement =
+            vec3_add_scaled(constraint->relative_displacement, sign, vec3_sub(point, start_point));
+    } else if (d->capsule != NULL) {
         start_point =
             point_at_start(d, d->vertex_count > 1 ? geometry->barycentric[which] : 0.0, point);
         constraint->relative_displacement =

@@ -5,7 +5,7 @@
 #include "scene/contacts/contacts.h"
 #include "scene/world/world.h"
 
-/* Expected displacements of a feature's vertices. Those of a drain or host surface are gathered
+/* Expected displacements of a feature's vertices. Those of a drain or moving mesh are gathered
  * into `buffer`. A static mesh has one, of zero. */
 static const vec3 *feature_displacements(const scene_object *s, const scene_body *b,
                                          const contact_key *key, bool is_b, vec3 buffer[3],
@@ -25,6 +25,15 @@ static const vec3 *feature_displacements(const scene_object *s, const scene_body
         *count = vbss_scene_surface_feature_nodes(s, b, key->kind, is_b, feature, nodes);
         for (uint32_t k = 0; k < *count; k++) {
             buffer[k] = h->expected_displacements[nodes[k]];
+        }
+        return buffer;
+    }
+    if (scene_is_rigid_mesh(b)) {
+        const vec3 *local = s->collision->shapes[b->shape]->posed->local;
+        *count = vbss_scene_surface_feature_nodes(s, b, key->kind, is_b, feature, nodes);
+        for (uint32_t k = 0; k < *count; k++) {
+            buffer[k] = vec3_sub(pose_apply(b->rigid.expected, local[nodes[k]]),
+                                 pose_apply(b->rigid.body.now.pose, local[nodes[k]]));
         }
         return buffer;
     }

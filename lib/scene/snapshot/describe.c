@@ -17,15 +17,15 @@ static void visit_thread(vbss_stream *stream, scene_body_description *d)
     }
 }
 
-static void visit_rigid(vbss_stream *stream, scene_body_description *d)
+static void visit_rigid(vbss_stream *stream, scene_rigid_description *d)
 {
-    vbss_stream_i32(stream, 20, &d->rigid.kind, 1);
-    vbss_stream_u32(stream, 21, &d->rigid.capsule_count, 1);
-    vbss_stream_f64(stream, 22, &d->rigid.friction, 1);
-    vbss_stream_f64(stream, 23, &d->rigid.mass, 1);
-    vbss_stream_f64(stream, 24, &d->rigid.inertia.x, 3);
-    vbss_stream_f64(stream, 25, &d->rigid.frame.position.x, 3);
-    vbss_stream_f64(stream, 26, &d->rigid.frame.orientation.w, 4);
+    vbss_stream_i32(stream, 20, &d->kind, 1);
+    vbss_stream_u32(stream, 21, &d->capsule_count, 1);
+    vbss_stream_f64(stream, 22, &d->friction, 1);
+    vbss_stream_f64(stream, 23, &d->mass, 1);
+    vbss_stream_f64(stream, 24, &d->inertia.x, 3);
+    vbss_stream_f64(stream, 25, &d->frame.position.x, 3);
+    vbss_stream_f64(stream, 26, &d->frame.orientation.w, 4);
 }
 
 static void visit_mesh(vbss_stream *stream, scene_static_mesh_description *d)
@@ -71,7 +71,11 @@ void vbss_scene_visit_body_description(vbss_stream *stream, scene_body_descripti
         vbss_grasper_visit_config(stream, &d->grasper, &d->baseline);
         break;
     case SCENE_DESCRIBED_RIGID:
-        visit_rigid(stream, d);
+        visit_rigid(stream, &d->rigid);
+        break;
+    case SCENE_DESCRIBED_RIGID_MESH:
+        visit_rigid(stream, &d->rigid_mesh.rigid);
+        visit_mesh(stream, &d->rigid_mesh.mesh);
         break;
     case SCENE_DESCRIBED_STATIC_MESH:
         visit_mesh(stream, &d->static_mesh);
@@ -136,6 +140,16 @@ static scene_body_description describe_thread(const thread_object *t, uint32_t t
                                     .rest_count = is_of_its_lengths ? t->config.segment_count : 0};
 }
 
+static scene_rigid_description describe_motion(const scene_rigid *r)
+{
+    return (scene_rigid_description){.kind = r->kind,
+                                     .capsule_count = r->capsule_count,
+                                     .friction = r->created_friction,
+                                     .mass = r->body.mass,
+                                     .inertia = r->body.inertia,
+                                     .frame = r->frame};
+}
+
 static scene_body_description describe_rigid(const scene_rigid *r)
 {
     scene_body_description d = {.type = SCENE_DESCRIBED_RIGID};
@@ -150,12 +164,7 @@ static scene_body_description describe_rigid(const scene_rigid *r)
         d.type = SCENE_DESCRIBED_PLANE;
         d.plane = (scene_plane_description){r->plane, r->created_friction};
     } else {
-        d.rigid = (scene_rigid_description){.kind = r->kind,
-                                            .capsule_count = r->capsule_count,
-                                            .friction = r->created_friction,
-                                            .mass = r->body.mass,
-                                            .inertia = r->body.inertia,
-                                            .frame = r->frame};
+        d.rigid = describe_motion(r);
     }
     return d;
 }
@@ -199,6 +208,10 @@ static scene_body_description describe_mesh(const scene_rigid *r, const collisio
                                                          r->surface->compliance_size,
                                                          r->surface->law}};
     }
+    if (r->is_rigid_mesh) {
+        return (scene_body_description){.type = SCENE_DESCRIBED_RIGID_MESH,
+                                        .rigid_mesh = {describe_motion(r), mesh}};
+    }
     return (scene_body_description){.type = SCENE_DESCRIBED_STATIC_MESH, .static_mesh = mesh};
 }
 
@@ -234,6 +247,11 @@ void vbss_scene_visit_body(vbss_stream *stream, scene_object *s, uint32_t entry)
     if (d.type == SCENE_DESCRIBED_STATIC_MESH) {
         collision_shape *shape = s->collision->shapes[b->shape];
         vbss_scene_visit_described_static_mesh(stream, &d.static_mesh, &shape->start->x,
+                                               shape->triangles[0]);
+    }
+    if (d.type == SCENE_DESCRIBED_RIGID_MESH) {
+        collision_shape *shape = s->collision->shapes[b->shape];
+        vbss_scene_visit_described_static_mesh(stream, &d.rigid_mesh.mesh, &shape->posed->local->x,
                                                shape->triangles[0]);
     }
     if (d.type == SCENE_DESCRIBED_WALL) {

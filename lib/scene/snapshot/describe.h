@@ -21,7 +21,8 @@ enum {
     SCENE_DESCRIBED_STATIC_MESH = 9,
     SCENE_DESCRIBED_HOST_SURFACE = 10, /* its holes have the default parameters */
     SCENE_DESCRIBED_PLANE = 11,
-    SCENE_DESCRIBED_WALL = 12 /* a host surface, with the parameters of its holes */
+    SCENE_DESCRIBED_WALL = 12, /* a host surface, with the parameters of its holes */
+    SCENE_DESCRIBED_RIGID_MESH = 13
 };
 
 /* A rigid body that is neither a needle nor a grasper. */
@@ -37,6 +38,12 @@ typedef struct scene_static_mesh_description {
     uint32_t vertex_count, triangle_count, one_sided;
     double friction, thickness; /* the thickness in m */
 } scene_static_mesh_description;
+
+/* A rigid body whose shape is a mesh. Its vertices in the description are in its principal frame. */
+typedef struct scene_rigid_mesh_description {
+    scene_rigid_description rigid;
+    scene_static_mesh_description mesh;
+} scene_rigid_mesh_description;
 
 typedef struct scene_plane_description {
     scene_plane plane;
@@ -73,6 +80,7 @@ typedef struct scene_body_description {
         scene_static_mesh_description static_mesh;
         scene_plane_description plane;
         scene_host_surface_description host_surface;
+        scene_rigid_mesh_description rigid_mesh;
     };
 } scene_body_description;
 
@@ -94,7 +102,7 @@ typedef struct scene_surface_arrays {
 } scene_surface_arrays;
 
 /* The arrays after it: of a surface its numbers, of a thread `rest_count` rest lengths, of a rigid body
- * its capsules, of a static mesh or host surface its vertices and triangles. */
+ * its capsules, of a mesh or host surface its vertices and triangles. */
 void vbss_scene_visit_described_surface(vbss_stream *stream, const scene_surface_counts *counts,
                                         const scene_surface_arrays *arrays);
 void vbss_scene_visit_described_rest(vbss_stream *stream, double *rest_lengths, uint32_t count);

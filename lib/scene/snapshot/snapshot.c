@@ -227,7 +227,7 @@ static void visit_rigid(vbss_stream *stream, scene_object *s, scene_body *b)
             vbss_stream_expect_f64(stream, 23, numbers[k]);
         }
     }
-    if (r->is_static_mesh) {
+    if (r->is_static_mesh || r->is_rigid_mesh) {
         vbss_stream_expect(stream, 24, r->mesh.geometry_hash);
     }
     if (r->is_plane) {

@@ -74,10 +74,11 @@ static void record_wall_gap(const probe *p, double wall_radius, double distance,
     found->tool = gap < within ? vbss_min(gap, found->tool) : found->tool;
 }
 
-/* Positions of the nodes of a drain or static mesh, m. */
-static const vec3 *surface_nodes(const scene_object *s, const scene_body *b)
+/* Positions of the nodes of a drain or mesh, m. */
+static scene_vertices surface_nodes(const scene_object *s, const scene_body *b)
 {
-    return b->kind == SCENE_BODY_DRAIN ? b->drain.drain->x : scene_mesh_vertices(s, b);
+    return b->kind == SCENE_BODY_DRAIN ? (scene_vertices){b->drain.drain->x, NULL}
+                                       : scene_mesh_vertices(s, b);
 }
 
 static void record_face(const scene_object *s, const probe *p, const scene_body *b, uint32_t face,
@@ -85,12 +86,12 @@ static void record_face(const scene_object *s, const probe *p, const scene_body 
 {
     const collision_shape *shape = s->collision->shapes[b->shape];
     const uint32_t *nodes = shape->triangles[face];
-    const vec3 *x = surface_nodes(s, b);
+    const scene_vertices x = surface_nodes(s, b);
     double weights[3];
     for (int end = 0; end < 2; end++) {
         vec3 corners[3];
         for (int k = 0; k < 3; k++) {
-            corners[k] = vec3_sub(x[nodes[k]], p->axis[end]);
+            corners[k] = vec3_sub(scene_vertex(x, nodes[k]), p->axis[end]);
         }
         record_wall_gap(p, shape->radius, vec3_norm(closest_on_triangle(corners, weights)), within,
                         found);
@@ -112,8 +113,9 @@ static void record_feature(const scene_object *s, const probe *p, const scene_bo
     }
     if (scene_has_triangles(b)) {
         const collision_shape *shape = s->collision->shapes[b->shape];
-        const vec3 *x = surface_nodes(s, b);
-        const vec3 edge[2] = {x[shape->edges[feature][0]], x[shape->edges[feature][1]]};
+        const scene_vertices x = surface_nodes(s, b);
+        const vec3 edge[2] = {scene_vertex(x, shape->edges[feature][0]),
+                              scene_vertex(x, shape->edges[feature][1])};
         record_wall_gap(p, shape->radius, segment_distance(p->axis, edge), within, found);
         return;
     }
@@ -157,11 +159,14 @@ static surroundings find_surroundings(scene_object *s, const probe *p, double wi
         }
         collision_shape *shape = c->shapes[b->shape];
         vbss_collision_shape_refit_edges(shape);
+        const collision_aabb there = scene_is_rigid_mesh(b)
+                                         ? vbss_collision_box_in_frame(&box, b->rigid.body.now.pose)
+                                         : box; /* in the frame of the trees */
         uint32_t *near = b->kind == SCENE_BODY_DRAIN ? b->drain.near_features
                          : scene_is_mesh(b)          ? b->rigid.mesh.near_features
                                                      : s->scratch.near_features;
         uint32_t count = VBSS_WIDE_CALL(c->wide, vbss_collision_bvh_query, &c->search,
-                                        &shape->edge_bvh, &box, near);
+                                        &shape->edge_bvh, &there, near);
         for (uint32_t k = 0; k < count; k++) {
             record_feature(s, p, b, near[k], within, &found);
             if (p->any && found.strand < within) {
@@ -171,7 +176,7 @@ static surroundings find_surroundings(scene_object *s, const probe *p, double wi
         if (scene_has_triangles(b)) {
             vbss_collision_shape_refit_triangles(shape);
             count = VBSS_WIDE_CALL(c->wide, vbss_collision_bvh_query, &c->search,
-                                   &shape->triangle_bvh, &box, near);
+                                   &shape->triangle_bvh, &there, near);
             for (uint32_t k = 0; k < count; k++) {
                 record_face(s, p, b, near[k], within, &found);
             }

@@ -19,13 +19,13 @@ bool vbss_scene_feature_segment(const scene_object *s, uint32_t number, uint32_t
         axis[1] = b->drain.drain->x[edge[1]];
     } else if (scene_is_mesh(b)) {
         const collision_shape *shape = s->collision->shapes[b->shape];
-        const vec3 *x = scene_mesh_vertices(s, b);
+        const scene_vertices x = scene_mesh_vertices(s, b);
         if (feature >=
             shape->edge_count) { /* a triangle: a mesh may have more of them than sides */
             return false;
         }
-        axis[0] = x[shape->edges[feature][0]];
-        axis[1] = x[shape->edges[feature][1]];
+        axis[0] = scene_vertex(x, shape->edges[feature][0]);
+        axis[1] = scene_vertex(x, shape->edges[feature][1]);
     } else {
         vbss_scene_transform_capsule(&s->capsules[b->rigid.first_capsule + feature],
                                      b->rigid.body.now.pose, axis);

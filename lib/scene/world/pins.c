@@ -86,6 +86,7 @@ vbss_result vbss_scene_check_pin(const scene_object *s, uint32_t thread, uint32_
                              "body %u is a %s: pin the node to the world", body,
                              rigid->rigid.is_plane         ? "plane"
                              : rigid->rigid.is_static_mesh ? "static mesh"
+                             : rigid->rigid.is_rigid_mesh  ? "rigid mesh"
                                                            : "host surface");
         }
     }

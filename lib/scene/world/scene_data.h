@@ -153,10 +153,11 @@ typedef struct scene_wall_grasp {
 /* The motion of a host surface (world/host_surface.h). */
 typedef struct scene_host_surface scene_host_surface;
 
-/* A static mesh or host surface. Its collision shape has the triangles, and the vertices of a static mesh.
- * Persistent. */
+/* A static mesh, rigid mesh or host surface. Its collision shape has the triangles, and the vertices of a
+ * static or rigid mesh. Persistent. */
 typedef struct scene_static_mesh {
-    bool is_one_sided;      /* nothing touches it from behind its triangles */
+    bool is_one_sided; /* nothing touches it from behind its triangles */
+    double reach;      /* rigid mesh: largest distance of its surface from the centre of mass, m */
     uint64_t geometry_hash; /* of vertices, triangles, thickness and is_one_sided */
     /* vertex -> its first entry of triangles_of, one extra at the end; the triangles at each vertex */
     uint32_t *first_triangle, *triangles_of;
@@ -198,8 +199,10 @@ typedef struct scene_rigid {
     vbss_slot *slot;       /* slot of the handle of a grasper or needle; NULL for other bodies */
     needle_object *needle; /* NULL unless the body is a needle */
     /* Persistent. */
-    bool is_static_mesh;         /* the body has no capsules, and never moves */
-    scene_static_mesh mesh;      /* for static meshes and host surfaces only */
+    bool is_static_mesh;    /* the body has no capsules, and never moves */
+    bool is_rigid_mesh;     /* the body has no capsules; its mesh moves with it */
+    scene_static_mesh mesh; /* for static meshes, rigid meshes and host surfaces only */
+    pose expected; /* substep; rigid meshes: pose at its end that the broad phase allows for */
     scene_host_surface *surface; /* NULL unless the body is a host surface */
     bool is_plane;               /* the body has no capsules, and never moves */
     scene_plane plane;           /* for planes only */

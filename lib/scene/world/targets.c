@@ -30,10 +30,10 @@ void vbss_scene_apply_loads(scene_object *s)
     }
 }
 
-/* Largest distance of a capsule from the origin of the principal frame, m. */
+/* Largest distance of a capsule or mesh from the origin of the principal frame, m. */
 static double reach_of(const scene_object *s, const scene_rigid *r)
 {
-    double reach = 0.0;
+    double reach = r->is_rigid_mesh ? r->mesh.reach : 0.0;
     for (uint32_t i = 0; i < r->capsule_count; i++) {
         const scene_capsule *c = &s->capsules[r->first_capsule + i];
         for (int k = 0; k < 2; k++) {

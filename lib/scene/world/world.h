@@ -62,6 +62,12 @@ static inline bool scene_is_static_mesh(const scene_body *b)
     return b != NULL && b->kind == SCENE_BODY_RIGID && b->rigid.is_static_mesh;
 }
 
+/* Whether a body is a rigid body whose shape is a mesh. The floor (NULL) is not. */
+static inline bool scene_is_rigid_mesh(const scene_body *b)
+{
+    return b != NULL && b->kind == SCENE_BODY_RIGID && b->rigid.is_rigid_mesh;
+}
+
 /* Whether a body is a plane that the host added. The floor (NULL) is not. */
 static inline bool scene_is_plane(const scene_body *b)
 {
@@ -86,13 +92,13 @@ static inline scene_host_surface *scene_host_surface_of(const scene_body *b)
     return b != NULL && b->kind == SCENE_BODY_RIGID ? b->rigid.surface : NULL;
 }
 
-/* Whether a body is a static mesh or a host surface. The floor (NULL) is neither. */
+/* Whether a body is a static mesh, a rigid mesh or a host surface. The floor (NULL) is none. */
 static inline bool scene_is_mesh(const scene_body *b)
 {
-    return scene_is_static_mesh(b) || scene_host_surface_of(b) != NULL;
+    return scene_is_static_mesh(b) || scene_is_rigid_mesh(b) || scene_host_surface_of(b) != NULL;
 }
 
-/* Whether a body is a surface of triangles: a drain, a static mesh or a host surface. */
+/* Whether a body is a surface of triangles: a drain, or a mesh as above. */
 static inline bool scene_has_triangles(const scene_body *b)
 {
     return b != NULL && (b->kind == SCENE_BODY_DRAIN || scene_is_mesh(b));
@@ -117,18 +123,38 @@ static inline bool scene_is_pierceable(const scene_body *b)
            (scene_host_surface_of(b) != NULL && b->rigid.surface->law.puncture_force > 0.0);
 }
 
-/* Vertices of a static mesh or host surface in the world, m. */
-static inline const vec3 *scene_mesh_vertices(const scene_object *s, const scene_body *mesh)
+/* Vertices of a mesh at one moment. */
+typedef struct scene_vertices {
+    const vec3 *x;  /* m */
+    const pose *at; /* pose of their frame; NULL: they are in the world */
+} scene_vertices;
+
+static inline vec3 scene_vertex(scene_vertices v, uint32_t index)
+{
+    return v.at == NULL ? v.x[index] : pose_apply(*v.at, v.x[index]);
+}
+
+/* Vertices of a mesh now: at the start of the substep. */
+static inline scene_vertices scene_mesh_vertices(const scene_object *s, const scene_body *mesh)
 {
     const scene_host_surface *h = mesh->rigid.surface;
-    return h != NULL ? h->now : s->collision->shapes[mesh->shape]->start;
+    const collision_shape *shape = s->collision->shapes[mesh->shape];
+    if (mesh->rigid.is_rigid_mesh) {
+        return (scene_vertices){shape->posed->local, &mesh->rigid.body.now.pose};
+    }
+    return (scene_vertices){h != NULL ? h->now : shape->start, NULL};
 }
 
 /* The same at the end of the substep. */
-static inline const vec3 *scene_mesh_trial_vertices(const scene_object *s, const scene_body *mesh)
+static inline scene_vertices scene_mesh_trial_vertices(const scene_object *s,
+                                                       const scene_body *mesh)
 {
     const scene_host_surface *h = mesh->rigid.surface;
-    return h != NULL ? h->trial : s->collision->shapes[mesh->shape]->start;
+    const collision_shape *shape = s->collision->shapes[mesh->shape];
+    if (mesh->rigid.is_rigid_mesh) {
+        return (scene_vertices){shape->posed->local, &mesh->rigid.trial};
+    }
+    return (scene_vertices){h != NULL ? h->trial : shape->start, NULL};
 }
 
 /* Whether an entry of the list of thread grasps holds its strand. Other entries are unused, or

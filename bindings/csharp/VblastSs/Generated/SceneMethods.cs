@@ -82,6 +82,39 @@ namespace VblastSs
         }
 
         /// <summary>
+        /// Adds a rigid body whose shape is a mesh of triangles: another instrument, a trocar, a
+        /// bone. It moves as a rigid body of capsules does (vbss_scene_set_rigid_target, and for
+        /// its kind of motion forces, velocities and poses), and vbss_scene_get_rigid reports the
+        /// forces on it. Threads, needles, tools and drains touch its surface from both sides, with
+        /// friction, and the guard (CCD) tests its moving triangles. During a part of a step its
+        /// vertices move along straight lines. A set of convex hulls is a mesh with the faces of
+        /// all of them. Meshes, static ones and host surfaces included, do not touch each other,
+        /// nor a mesh the floor or a plane. A driven body of capsules that overlaps a driven mesh
+        /// when one of them is added is held back by it. No node can be pinned to it, and no hole
+        /// be made in it. Its kind is VBSS_SCENE_BODY_RIGID, and it counts as one of the scene's
+        /// rigid bodies (rigid_capacity) without capsules. The call allocates all memory that steps
+        /// need for it, and builds its bounding volume hierarchy, which steps never rebuild or
+        /// refit.
+        /// </summary>
+        /// <param name="motion">
+        /// pose, kind of motion, mass and coupling; NULL for the defaults. It has no capsules, and
+        /// its friction is not used. The mass is spread evenly over the area of the triangles.
+        /// </param>
+        /// <param name="geometry">
+        /// triangles, in the frame of the body, thickness and friction; not NULL, because a mesh
+        /// needs triangles. one_sided must be 0.
+        /// </param>
+        public uint AddRigidMesh(SceneRigidConfig motion, SceneStaticMeshConfig geometry)
+        {
+            using (Pins pins = Pins.Rent())
+            {
+                uint body;
+                Context.Check(Native.vbss_scene_add_rigid_mesh(Handle, motion == null ? null : motion.Pin(pins), geometry == null ? null : geometry.Pin(pins), (uint*)&body));
+                return body;
+            }
+        }
+
+        /// <summary>
         /// Adds a height field that never moves: a static mesh with two triangles for each cell of
         /// the grid. All that vbss_scene_add_static_mesh says holds for it, and its kind is
         /// VBSS_SCENE_BODY_STATIC_MESH. The triangles of a cell meet on its diagonal from the first

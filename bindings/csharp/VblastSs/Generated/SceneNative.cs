@@ -34,6 +34,9 @@ namespace VblastSs
         internal static extern Result vbss_scene_add_static_mesh(ObjectHandle scene, SceneStaticMeshConfigData* config, uint* body);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern Result vbss_scene_add_rigid_mesh(ObjectHandle scene, SceneRigidConfigData* motion, SceneStaticMeshConfigData* geometry, uint* body);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         internal static extern Result vbss_scene_height_field_config_init(SceneHeightFieldConfigData* config, uint structSize);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]

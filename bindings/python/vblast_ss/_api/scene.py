@@ -994,6 +994,8 @@ FUNCTIONS: dict[str, tuple[Any, tuple[Any, ...]]] = {
         c_uint32)),
     "vbss_scene_add_static_mesh": (c_int32, (POINTER(vbss_scene),
         POINTER(vbss_scene_static_mesh_config), POINTER(c_uint32))),
+    "vbss_scene_add_rigid_mesh": (c_int32, (POINTER(vbss_scene), POINTER(vbss_scene_rigid_config),
+        POINTER(vbss_scene_static_mesh_config), POINTER(c_uint32))),
     "vbss_scene_height_field_config_init": (c_int32, (POINTER(vbss_scene_height_field_config),
         c_uint32)),
     "vbss_scene_add_height_field": (c_int32, (POINTER(vbss_scene),
