@@ -165,7 +165,7 @@ vbss_result vbss_scene_get_hole(vbss_scene *scene, uint32_t index, vbss_scene_ho
                                 uint32_t struct_size)
 {
     VBSS_ENTER(scene);
-    static const uint32_t sizes[] = {168, sizeof(vbss_scene_hole), 0};
+    static const uint32_t sizes[] = {168, 176, sizeof(vbss_scene_hole), 0};
     static const vbss_layout layout = {"vbss_scene_hole", NULL, sizes};
     scene_object *s;
     VBSS_TRY(vbss_scene_open(scene, &s));
@@ -185,7 +185,9 @@ vbss_result vbss_scene_get_hole(vbss_scene *scene, uint32_t index, vbss_scene_ho
                                .outward = h->is_outward,
                                .arc_length = h->arc,
                                .friction = h->friction_force,
-                               .thread = h->thread};
+                               .thread = h->thread,
+                               .torn_length = h->torn_length,
+                               .tear_work = h->tear_work};
         for (int k = 0; k < 3; k++) {
             own.weights[k] = h->barycentric[k];
         }
