@@ -414,8 +414,9 @@ typedef struct vbss_scene_statistics {
     /** Steps that two calls had suspended while other bodies waited, so that the third completed
      * them without the budget of a call. */
     uint32_t overdue;
-    double torn_length; /**< Length that threads have torn at holes, m (vbss_drain_config::tear_energy). */
-    double tear_work;   /**< Energy that this has dissipated, J. */
+    double
+        torn_length; /**< Length that threads have torn at holes, m (vbss_drain_config::tear_energy). */
+    double tear_work; /**< Energy that this has dissipated, J. */
 } vbss_scene_statistics;
 
 /** Reason why bodies are held back: a VBSS_SCENE_BLOCKER_ constant. */

@@ -100,9 +100,8 @@ static bool is_tearing(const contact_solution *solution)
 static double tearing_force(const contact_constraint *constraint, const contact_solution *solution,
                             double elastic)
 {
-    return solution->is_tear_capped
-               ? elastic - constraint->stiffness * constraint->max_tear_slip
-               : viscoplastic_force(constraint, elastic, solution->tear_limit);
+    return solution->is_tear_capped ? elastic - constraint->stiffness * constraint->max_tear_slip
+                                    : viscoplastic_force(constraint, elastic, solution->tear_limit);
 }
 
 /* Lets the sleeve tear if the force of its spring, in the direction slip_direction, is beyond the
@@ -195,8 +194,7 @@ static double sleeve_residual(const contact_constraint *constraint, vec3 u,
     bool is_same_status = next->status == constraint->solution.status;
     if (is_tearing(next) || is_tearing(&constraint->solution)) {
         residual += vec3_distance(next->tangential_force, linearised.transverse);
-        is_same_status = is_same_status &&
-                         is_tearing(next) == is_tearing(&constraint->solution) &&
+        is_same_status = is_same_status && is_tearing(next) == is_tearing(&constraint->solution) &&
                          next->is_tear_capped == constraint->solution.is_tear_capped;
     }
     double size = vec3_norm(next->tangential_force) + fabs(next->normal_force);

@@ -28,7 +28,7 @@ typedef struct suture_wall {
     uint32_t edge_count, edge_stride;
     const double *triangle_thickness; /* per triangle, m; NULL: that of the law */
     const uint8_t *anchored;          /* per node; NULL: none is */
-    const vec3 *now, *trial, *rest; /* positions of the nodes, m */
+    const vec3 *now, *trial, *rest;   /* positions of the nodes, m */
 } suture_wall;
 
 static inline suture_wall suture_wall_of_drain(const drain_object *d)
@@ -189,7 +189,7 @@ double vbss_suture_tear_force(const suture_wall *wall, uint32_t triangle);
 vec3 vbss_suture_wall_normal(const suture_wall *wall, const vec3 *x, uint32_t triangle);
 /* Moves a hole through the wall as it is now, along the part of the direction in its plane. Stops at a free
  * edge, which becomes free_side, and before a triangle with three anchored nodes. Returns the length of the
- * way, at most `distance`, m. */
+ * path, at most `distance`, m. */
 double vbss_suture_move_hole(const suture_wall *wall, suture_hole *hole, vec3 direction,
                              double distance);
 /* Whether a point is beyond the free edge at which the hole is. False if the hole is at none. */

@@ -36,8 +36,8 @@ static bool load_triangle(const suture_wall *wall, uint32_t triangle, tear_trian
     for (int k = 0; k < 3; k++) {
         t->corner[k] = wall->now[wall->triangles[triangle][k]];
     }
-    const vec3 area = vec3_cross(vec3_sub(t->corner[1], t->corner[0]),
-                                 vec3_sub(t->corner[2], t->corner[0]));
+    const vec3 area =
+        vec3_cross(vec3_sub(t->corner[1], t->corner[0]), vec3_sub(t->corner[2], t->corner[0]));
     const double size = vec3_norm_squared(area);
     for (int k = 0; k < 3; k++) {
         const vec3 side = vec3_sub(t->corner[(k + 2) % 3], t->corner[(k + 1) % 3]);
@@ -46,7 +46,7 @@ static bool load_triangle(const suture_wall *wall, uint32_t triangle, tear_trian
     return size > 0.0;
 }
 
-/* Moves along the unit direction by up to `distance`. Returns the length of the way, and the side at which
+/* Moves along the unit direction by up to `distance`. Returns the length of the path, and the side at which
  * it ended early; -1: at none. `entered`: side at which the hole has come in, or -1. */
 static double cross_triangle(const tear_triangle *t, vec3 direction, int entered, double distance,
                              double barycentric[3], int *side)
@@ -145,8 +145,7 @@ double vbss_suture_move_hole(const suture_wall *wall, suture_hole *hole, vec3 di
         if (!load_triangle(wall, hole->triangle, &t)) {
             break;
         }
-        moved +=
-            cross_triangle(&t, direction, entered, distance - moved, hole->barycentric, &side);
+        moved += cross_triangle(&t, direction, entered, distance - moved, hole->barycentric, &side);
         if (side < 0) {
             return distance;
         }

@@ -47,10 +47,9 @@ static void any_sleeve_yields_at_its_limit(harness_source *source, void *user)
     expect_near(0.0, vec3_distance(vec3_scale(back, -slip), vbss_contact_tear_slip(&row)), 1e-13);
     assert_int_equal(state > 0, next.tear_limit > 0.0);
     assert_int_equal(state == 2, next.is_tear_capped);
-    /* It gives the cut at least its energy: force in the plane times the way in the plane. */
-    const double work = vec3_norm(next.tangential_force) * slip,
-                 way = slip / in_plane(&row, back);
-    assert_true(work >= row.tear_force * way * (1.0 - 1e-12));
+    /* It gives the cut at least its energy: force in the plane times the path in the plane. */
+    const double work = vec3_norm(next.tangential_force) * slip, path = slip / in_plane(&row, back);
+    assert_true(work >= row.tear_force * path * (1.0 - 1e-12));
     seen[state]++;
 }
 

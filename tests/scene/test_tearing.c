@@ -6,7 +6,7 @@
 
 #include "scene/tear_rig.h"
 
-#define SLOW 10e-3                                /* m/s */
+#define SLOW 10e-3                                 /* m/s */
 #define CONTACT (0.5 * TEAR_THICK + THREAD_RADIUS) /* m */
 #define THREAD_RADIUS 0.125e-3
 

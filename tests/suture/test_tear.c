@@ -77,7 +77,7 @@ static void put_hole(torn *t, harness_source *source)
 }
 
 /* Distance along a direction to the border of the flat sheet. */
-static double way_to_border(vec3 from, vec3 direction)
+static double distance_to_border(vec3 from, vec3 direction)
 {
     const double x = direction.x > 0.0 ? 0.5 * LENGTH - from.x : 0.5 * LENGTH + from.x;
     const double z = direction.z > 0.0 ? 0.5 * WIDTH - from.z : 0.5 * WIDTH + from.z;
@@ -106,7 +106,8 @@ static void any_hole_goes_straight_on(harness_source *source, void *user)
     /* A part across the triangle is left out. */
     const vec3 normal = vbss_suture_wall_normal(&t.wall, t.wall.now, t.hole.triangle);
     direction = vec3_add_scaled(direction, harness_draw_real(source, -1.0, 1.0), normal);
-    const double distance = harness_draw_real(source, 0.0, 12e-3), border = way_to_border(from, flat);
+    const double distance = harness_draw_real(source, 0.0, 12e-3),
+                 border = distance_to_border(from, flat);
     const double moved = vbss_suture_move_hole(&t.wall, &t.hole, direction, distance);
     expect_near(fmin(distance, border), moved, 1e-12);
     assert_int_equal(distance > border, t.hole.free_side != 0);
@@ -119,8 +120,8 @@ static void any_hole_goes_straight_on(harness_source *source, void *user)
         const vec3 normal_there = vbss_suture_wall_normal(&t.wall, t.wall.now, t.hole.triangle);
         assert_true(t.hole.barycentric[t.hole.free_side - 1] == 0.0);
         assert_true(!vbss_suture_is_outside(&t.wall, &t.hole, vec3_scale(point_of(&t), 0.9)));
-        assert_true(vbss_suture_is_outside(
-            &t.wall, &t.hole, vec3_add(vec3_scale(point_of(&t), 1.1), normal_there)));
+        assert_true(vbss_suture_is_outside(&t.wall, &t.hole,
+                                           vec3_add(vec3_scale(point_of(&t), 1.1), normal_there)));
         w->out++;
     } else {
         w->in++;
@@ -144,10 +145,8 @@ static void hole_stops_before_anchored_triangles(void **state)
     (void)state;
     torn t;
     begin_sheet(&t, 1.0, 3); /* up to x = -5 mm */
-    t.hole = (suture_hole){.id = 1,
-                           .thread = 1,
-                           .triangle = 4 * 2 * ROWS,
-                           .barycentric = {0.2, 0.5, 0.3}};
+    t.hole = (suture_hole){
+        .id = 1, .thread = 1, .triangle = 4 * 2 * ROWS, .barycentric = {0.2, 0.5, 0.3}};
     const double x = point_of(&t).x;
     const double moved = vbss_suture_move_hole(&t.wall, &t.hole, vec3_make(-1.0, 0.0, 0.0), 20e-3);
     expect_near(x + 5e-3, moved, 1e-12);
@@ -160,7 +159,8 @@ static void tear_is_saved(void **state)
     (void)state;
     uint8_t bytes[256];
     vbss_stream stream;
-    suture_hole saved = {.tear = SUTURE_TEARS, .free_side = 2, .torn_length = 1e-3, .tear_work = 2e-3};
+    suture_hole saved = {
+        .tear = SUTURE_TEARS, .free_side = 2, .torn_length = 1e-3, .tear_work = 2e-3};
     suture_hole read = {.tear = SUTURE_HOLDS};
     vbss_stream_begin_write(&stream, bytes, sizeof bytes);
     vbss_suture_serialise_tear(&stream, 1, &saved);
@@ -175,10 +175,8 @@ static void tear_is_saved(void **state)
 static void tear_that_cannot_be_is_refused(void **state)
 {
     (void)state;
-    const suture_hole wrong[] = {{.tear = (suture_tear)3},
-                                 {.free_side = 4},
-                                 {.torn_length = -1e-9},
-                                 {.tear_work = -1e-9}};
+    const suture_hole wrong[] = {
+        {.tear = (suture_tear)3}, {.free_side = 4}, {.torn_length = -1e-9}, {.tear_work = -1e-9}};
     for (int i = 0; i < 4; i++) {
         uint8_t bytes[256];
         vbss_stream stream;

@@ -129,8 +129,8 @@ static void set_tear(contact_constraint *constraint, const scene_hole_context *p
         return;
     }
     constraint->tear_force = vbss_suture_tear_force(&p->wall, hole->triangle);
-    constraint->max_tear_slip = SUTURE_MAX_TEAR_RATIO *
-                                (p->now.thread->config.radius + 0.5 * p->wall.law->thickness);
+    constraint->max_tear_slip =
+        SUTURE_MAX_TEAR_RATIO * (p->now.thread->config.radius + 0.5 * p->wall.law->thickness);
     constraint->wall_normal = vbss_suture_wall_normal(&p->wall, p->wall.trial, hole->triangle);
 }
 

@@ -198,12 +198,11 @@ static scene_body_description describe_mesh(const scene_rigid *r, const collisio
                                                 .friction = r->created_friction,
                                                 .thickness = 2.0 * shape->radius};
     if (r->surface != NULL) {
-        return (scene_body_description){.type = r->surface->law.tear_energy > 0.0
-                                                    ? SCENE_DESCRIBED_TEARING_WALL
-                                                    : SCENE_DESCRIBED_WALL,
-                                        .host_surface = {mesh, r->surface->jump_limit,
-                                                         r->surface->compliance_size,
-                                                         r->surface->law}};
+        return (scene_body_description){
+            .type = r->surface->law.tear_energy > 0.0 ? SCENE_DESCRIBED_TEARING_WALL
+                                                      : SCENE_DESCRIBED_WALL,
+            .host_surface = {mesh, r->surface->jump_limit, r->surface->compliance_size,
+                             r->surface->law}};
     }
     return (scene_body_description){.type = SCENE_DESCRIBED_STATIC_MESH, .static_mesh = mesh};
 }
