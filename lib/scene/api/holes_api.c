@@ -165,7 +165,7 @@ vbss_result vbss_scene_get_hole(vbss_scene *scene, uint32_t index, vbss_scene_ho
                                 uint32_t struct_size)
 {
     VBSS_ENTER(scene);
-    static const uint32_t sizes[] = {168, 176, sizeof(vbss_scene_hole), 0};
+    static const uint32_t sizes[] = {168, sizeof(vbss_scene_hole), 0};
     static const vbss_layout layout = {"vbss_scene_hole", NULL, sizes};
     scene_object *s;
     VBSS_TRY(vbss_scene_open(scene, &s));
