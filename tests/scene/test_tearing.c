@@ -195,6 +195,18 @@ static void fast_pull_is_stable(void **state)
     }
 }
 
+/* A thread that leaves a soft sheet presses on nothing when contact begins again. */
+static void thread_comes_out_of_a_weak_sheet_without_a_paused_step(void **state)
+{
+    (void)state;
+    tear_rig r;
+    tear_rig_begin(&r, true);
+    r.s.drain.tear_energy = 50.0;
+    tear_rig_create(&r, 8, 6);
+    expect_near(9e-3, tear_out(&r, 400, along_x(50e-3)), 0.05e-3);
+    tear_rig_end(&r);
+}
+
 static void thread_comes_out_at_the_slit(void **state)
 {
     (void)state;
@@ -373,6 +385,7 @@ int test_tearing(void)
         harness_test(work_of_the_hands_is_that_of_the_cut),
         harness_test(thread_comes_out_at_the_edge_of_a_sheet),
         harness_test(fast_pull_is_stable),
+        harness_test(thread_comes_out_of_a_weak_sheet_without_a_paused_step),
         harness_test(thread_comes_out_at_the_slit),
         harness_test(anchored_triangles_stop_a_tear),
         harness_test(each_tear_is_reported_once),
