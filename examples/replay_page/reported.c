@@ -47,6 +47,8 @@ static const reporting tellings[] = {
     {VBSS_SCENE_EVENT_PASSED, "wall", "%1 is through the wall of %2"},
     {VBSS_SCENE_EVENT_RETURNED, "warn", "%1 is in the wall of %2 again"},
     {VBSS_SCENE_EVENT_UNTHREADED, "warn", "an end of %1 leaves the wall of %2"},
+    {VBSS_SCENE_EVENT_TEARING, "bad", "%1 tears the wall of %2"},
+    {VBSS_SCENE_EVENT_TORN_OUT, "bad", "%1 has torn out of the wall of %2"},
     {VBSS_SCENE_EVENT_HOLE_LOST, "bad", "no room for a hole of %1 in %2"},
     {VBSS_RECORD_EVENT_TIME_LOST, "step", "a step is cut short or paused"},
     {VBSS_SCENE_EVENT_BLOCKED, "step", "%1 and %2 hold each other back"},

@@ -144,6 +144,12 @@ typedef struct vbss_drain_config {
      * surface the fields mesh, mesh_divisions, radius, length, slit_length, slit_opening and mark_arc have
      * no meaning, and the drain has neither marks nor a slit. The library copies the surface. */
     const vbss_drain_surface *surface;
+    /** In a scene, method IMPLICIT: energy for each square metre of cut, J/m^2, 1 to 1e7; 0 (default): threads
+     * do not tear the wall at their holes. With it, a thread cuts through the wall when the force across
+     * it in the plane of the wall exceeds this energy times the thickness (of the triangle, where the surface
+     * states it): docs/explanation/tearing.md has published values. The mesh stays whole: the cut behind
+     * the thread is not opened. */
+    double tear_energy;
 } vbss_drain_config;
 
 /** Kind of an attachment: a VBSS_DRAIN_ATTACHMENT_ constant. */

@@ -414,6 +414,9 @@ typedef struct vbss_scene_statistics {
     /** Steps that two calls had suspended while other bodies waited, so that the third completed
      * them without the budget of a call. */
     uint32_t overdue;
+    double
+        torn_length; /**< Length that threads have torn at holes, m (vbss_drain_config::tear_energy). */
+    double tear_work; /**< Energy that this has dissipated, J. */
 } vbss_scene_statistics;
 
 /** Reason why bodies are held back: a VBSS_SCENE_BLOCKER_ constant. */
@@ -467,6 +470,10 @@ typedef struct vbss_scene_hole {
     double force[3];   /**< Force on the suture, N. */
     uint32_t thread;   /**< Number of the thread in the hole; 0: a needle is in it. */
     uint32_t reserved; /**< Zero. */
+    /** Length of the cut by which the thread has torn this hole, m: along the wall as it was then, in the
+     * plane of its triangles (vbss_drain_config::tear_energy). */
+    double torn_length;
+    double tear_work; /**< Energy that this has dissipated, J. */
 } vbss_scene_hole;
 
 /** A grasped place of a thread, a needle or a drain. */

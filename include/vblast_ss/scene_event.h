@@ -41,6 +41,9 @@
  *     RETURNED       needle    drain      hole                     0                         x
  *     UNTHREADED     thread    drain      hole                     0                         x
  *     HOLE_LOST      needle    drain      0                        0                         x
+ *     TEARING        thread    drain      hole                     force in the plane of     x
+ *                                                                  the wall, N
+ *     TORN_OUT       thread    drain      hole                     torn length, m            x
  *     BLOCKED        body      body       cause        0           time left out, s
  *     UNBLOCKED      body      body       cause        0           time left out since
  *                                                                  BLOCKED, s
@@ -114,7 +117,13 @@ enum {
     VBSS_SCENE_EVENT_CAUGHT_UP = 23, /**< No step waits any more after DEFERRED. */
     /** A step that two calls had suspended was completed without the budget of a call, because other bodies
      * waited (vbss_scene_statistics::overdue). This call took longer than it should. */
-    VBSS_SCENE_EVENT_OVERDUE = 24
+    VBSS_SCENE_EVENT_OVERDUE = 24,
+    /** A thread begins to tear the wall at its hole (vbss_drain_config::tear_energy). Reported again after the
+     * force has fallen below half of the one that tears. */
+    VBSS_SCENE_EVENT_TEARING = 25,
+    /** A thread has torn out: it has cut through the wall up to a free edge and left it there, and the hole
+     * is gone. */
+    VBSS_SCENE_EVENT_TORN_OUT = 26
 };
 
 /** Bits of `flags` of an event. */

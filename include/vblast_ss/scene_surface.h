@@ -66,6 +66,9 @@ typedef struct vbss_scene_surface_config {
     double tip_length;
     double
         thread_force; /**< Friction of a hole with a slack thread in it, N, 1e-6 to 1e3; default 0.02. */
+    /** Energy for each square metre of cut, J/m^2, 1 to 1e7; 0 (default): threads do not tear the wall at their
+     * holes. Otherwise as vbss_drain_config::tear_energy. */
+    double tear_energy;
 } vbss_scene_surface_config;
 
 /** An array of a host surface: a VBSS_SCENE_SURFACE_VIEW_ constant. */

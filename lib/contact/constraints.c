@@ -90,7 +90,8 @@ contact_constraint *vbss_contact_try(contact_set *set, const contact_key *key)
     constraint->is_bilateral = constraint->is_sleeve = constraint->is_sliding =
         constraint->may_lag = false;
     constraint->friction = constraint->tangential_stiffness_ratio = constraint->elastic_slip_limit =
-        constraint->recovery_allowance = constraint->lagged_transverse = 0.0;
+        constraint->recovery_allowance = constraint->lagged_transverse = constraint->tear_force =
+            0.0;
     constraint->solution = (contact_solution){.status = CONTACT_OPEN};
     constraint->previous_force = vec3_zero();
     constraint->schur_offset = UINT32_MAX;
@@ -213,6 +214,7 @@ static void warm_start_sleeve(contact_constraint *constraint, const contact_warm
     constraint->solution.is_forward = entry->is_forward;
     constraint->solution.status = (contact_status)entry->status;
     constraint->solution.normal_force = entry->normal_force;
+    constraint->solution.tear_limit = 0.0;
 }
 
 static double find_tangential_stiffness_ratio(const contact_constraint *constraint,

@@ -63,7 +63,11 @@ typedef struct contact_solution {
     vec3
         tangential_force; /* force on a in the tangent plane, N: on a sleeve the transverse force */
     vec3 slip_direction;  /* SLIP: unit vector of the friction force */
-    double friction_ratio; /* SLIP: friction bound / |augmented friction force|; not of a sleeve */
+    /* SLIP: friction bound / |augmented friction force|. Of a sleeve that tears: transverse force / its
+     * elastic value. */
+    double friction_ratio;
+    double tear_limit;   /* sleeve: transverse force above which it tears, N; 0: it does not tear */
+    bool is_tear_capped; /* sleeve: it tears by max_tear_slip */
 } contact_solution;
 
 /* Fields that each solve reads come first. Those that few constraints use come last, so that a
@@ -103,7 +107,12 @@ typedef struct contact_constraint {
      * negative, but not their sum. Beyond, a damper with the stiffness viscous_stiffness in this
      * substep, N/m, lets it slide. The axial force is remembered. */
     double yield_force, yield_friction[2], viscous_stiffness;
-    bool may_lag; /* sleeve: its yield force may be lagged */
+    /* A sleeve whose wall tears: the part of the transverse force in the plane of the wall at which it
+     * yields, N; 0: it does not. As along the normal, a damper with viscous_stiffness is in series. It
+     * yields by at most max_tear_slip in the substep, m. */
+    double tear_force, max_tear_slip;
+    vec3 wall_normal; /* with tear_force: unit normal of the wall */
+    bool may_lag;     /* sleeve: its yield force may be lagged */
     /* Sleeve: transverse force from which the linearisation takes the yield force while the search cycles, N; 0:
      * that of the solution. */
     double lagged_transverse;
@@ -296,6 +305,8 @@ double vbss_contact_update_solution(const contact_constraint *constraint, vec3 u
  * the contact law. */
 vec3 vbss_contact_linearised_force(const contact_constraint *constraint, vec3 u);
 vec3 vbss_contact_force(const contact_constraint *constraint, vec3 u);
+/* Sleeve: how far it has torn at the trial state, across its normal and with the suture, m. */
+vec3 vbss_contact_tear_slip(const contact_constraint *constraint);
 /* Solution with which the iteration continues from this iterate. */
 void vbss_contact_solution_at(const contact_constraint *constraint, const contact_iterate *iterate,
                               contact_solution *next);

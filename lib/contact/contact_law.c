@@ -49,7 +49,10 @@ static double stiffness_across_slip(const contact_constraint *constraint)
  *     limit = yield_force + yield_friction |transverse force|, one limit for each direction of
  *     sliding.
  * Beyond it a damper in series with the spring yields: f = limit + c v at any speed and any step
- * length (Perzyna 1966). */
+ * length (Perzyna 1966).
+ *
+ * Where the wall can tear, the transverse spring yields in the same manner, when the part of its
+ * force in the plane of the wall reaches tear_force. */
 
 typedef struct sleeve_force {
     vec3 transverse;
@@ -78,6 +81,57 @@ static double viscoplastic_force(const contact_constraint *constraint, double el
            (constraint->viscous_stiffness + constraint->stiffness);
 }
 
+/* Transverse force along a unit direction above which the wall tears, N. 0: it cannot tear. */
+static double tear_limit_along(const contact_constraint *constraint, vec3 direction)
+{
+    if (!(constraint->tear_force > 0.0)) {
+        return 0.0;
+    }
+    double in_plane = vec3_norm(tangential_component(direction, constraint->wall_normal));
+    return in_plane >= CONTACT_MIN_TEAR_SHARE ? constraint->tear_force / in_plane : 0.0;
+}
+
+static bool is_tearing(const contact_solution *solution)
+{
+    return solution->tear_limit > 0.0;
+}
+
+/* Transverse force of a tearing sleeve whose spring alone would have the force `elastic`. */
+static double tearing_force(const contact_constraint *constraint, const contact_solution *solution,
+                            double elastic)
+{
+    return solution->is_tear_capped ? elastic - constraint->stiffness * constraint->max_tear_slip
+                                    : viscoplastic_force(constraint, elastic, solution->tear_limit);
+}
+
+/* Lets the sleeve tear if the force of its spring, in the direction slip_direction, is beyond the
+ * limit. */
+static void update_tear(const contact_constraint *constraint, double elastic,
+                        contact_solution *next)
+{
+    double limit = tear_limit_along(constraint, next->slip_direction);
+    if (!(limit > 0.0) || elastic <= limit) {
+        return;
+    }
+    next->tear_limit = limit;
+    next->is_tear_capped = elastic - tearing_force(constraint, next, elastic) >
+                           constraint->stiffness * constraint->max_tear_slip;
+    double force = tearing_force(constraint, next, elastic);
+    next->friction_ratio = force / elastic;
+    next->tangential_force = vec3_scale(next->slip_direction, force);
+}
+
+/* Transverse force by the linearisation of a sleeve that tears. */
+static vec3 linearised_tearing_force(const contact_constraint *constraint, vec3 elastic)
+{
+    const contact_solution *solution = &constraint->solution;
+    const vec3 direction = solution->slip_direction;
+    double elastic_along = vec3_dot(elastic, direction);
+    vec3 across = vec3_add_scaled(elastic, -elastic_along, direction);
+    return vec3_add_scaled(vec3_scale(across, solution->friction_ratio),
+                           tearing_force(constraint, solution, elastic_along), direction);
+}
+
 static bool is_lagged(const contact_constraint *constraint)
 {
     return constraint->lagged_transverse > 0.0;
@@ -91,6 +145,9 @@ static sleeve_force linearised_sleeve_force(const contact_constraint *constraint
     sleeve_force f = {
         vec3_scale(tangential_component(displacement, constraint->normal), -constraint->stiffness),
         elastic_axial_force(constraint, displacement)};
+    if (is_tearing(&constraint->solution)) {
+        f.transverse = linearised_tearing_force(constraint, f.transverse);
+    }
     if (constraint->solution.status == CONTACT_SLIP) {
         double transverse_force = is_lagged(constraint)
                                       ? constraint->lagged_transverse
@@ -109,15 +166,19 @@ static void update_sleeve(const contact_constraint *constraint, vec3 u, contact_
         vec3_scale(tangential_component(displacement, constraint->normal), -constraint->stiffness);
     double elastic = elastic_axial_force(constraint, displacement),
            transverse_force = vec3_norm(transverse);
-    double lower_limit = axial_yield_limit(constraint, false, transverse_force),
-           upper_limit = axial_yield_limit(constraint, true, transverse_force);
-    bool is_forward = elastic > upper_limit;
     *next = (contact_solution){.status = CONTACT_STICK,
                                .normal_force = elastic,
                                .tangential_force = transverse,
                                .slip_direction =
-                                   vec3_unit_or(transverse, vec3_any_normal(constraint->normal)),
-                               .is_forward = is_forward};
+                                   vec3_unit_or(transverse, vec3_any_normal(constraint->normal))};
+    update_tear(constraint, transverse_force, next);
+    if (is_tearing(next)) {
+        transverse_force *= next->friction_ratio;
+    }
+    double lower_limit = axial_yield_limit(constraint, false, transverse_force),
+           upper_limit = axial_yield_limit(constraint, true, transverse_force);
+    bool is_forward = elastic > upper_limit;
+    next->is_forward = is_forward;
     if (is_forward || elastic < lower_limit) {
         next->status = CONTACT_SLIP;
         next->normal_force =
@@ -128,8 +189,14 @@ static void update_sleeve(const contact_constraint *constraint, vec3 u, contact_
 static double sleeve_residual(const contact_constraint *constraint, vec3 u,
                               const contact_solution *next)
 {
-    double residual = fabs(next->normal_force - linearised_sleeve_force(constraint, u).axial);
+    const sleeve_force linearised = linearised_sleeve_force(constraint, u);
+    double residual = fabs(next->normal_force - linearised.axial);
     bool is_same_status = next->status == constraint->solution.status;
+    if (is_tearing(next) || is_tearing(&constraint->solution)) {
+        residual += vec3_distance(next->tangential_force, linearised.transverse);
+        is_same_status = is_same_status && is_tearing(next) == is_tearing(&constraint->solution) &&
+                         next->is_tear_capped == constraint->solution.is_tear_capped;
+    }
     double size = vec3_norm(next->tangential_force) + fabs(next->normal_force);
     return is_same_status && residual <= CONTACT_SLEEVE_TOLERANCE * size ? 0.0 : residual;
 }
@@ -141,9 +208,11 @@ static vec3 total_sleeve_force(const contact_constraint *constraint, sleeve_forc
 
 static void linearise_sleeve(const contact_constraint *constraint, contact_linearisation *t)
 {
-    const double k = constraint->stiffness;
-    vec3 direction = constraint->solution.status == CONTACT_SLIP
-                         ? constraint->solution.slip_direction
+    const double k = constraint->stiffness,
+                 yielding = constraint->viscous_stiffness * k / (constraint->viscous_stiffness + k);
+    const contact_solution *solution = &constraint->solution;
+    vec3 direction = solution->status == CONTACT_SLIP || is_tearing(solution)
+                         ? solution->slip_direction
                          : vec3_any_normal(constraint->normal);
     t->count = 3;
     t->left[0] = t->right[0] = constraint->normal;
@@ -154,13 +223,28 @@ static void linearise_sleeve(const contact_constraint *constraint, contact_linea
         bool is_forward = constraint->solution.is_forward;
         double friction =
             is_forward ? constraint->yield_friction[1] : -constraint->yield_friction[0];
-        t->stiffness[0] = constraint->viscous_stiffness * k / (constraint->viscous_stiffness + k);
+        t->stiffness[0] = yielding;
         if (!is_lagged(constraint)) {
             t->left[1] = vec3_add_scaled(
                 direction, friction * k / (constraint->viscous_stiffness + k), constraint->normal);
         }
     }
+    if (is_tearing(solution)) {
+        t->stiffness[1] = solution->is_tear_capped ? k : yielding;
+        t->stiffness[2] = solution->friction_ratio * k;
+    }
     t->force = total_sleeve_force(constraint, linearised_sleeve_force(constraint, vec3_zero()));
+}
+
+vec3 vbss_contact_tear_slip(const contact_constraint *constraint)
+{
+    contact_solution solution;
+    update_sleeve(constraint, vec3_zero(), &solution);
+    double stretch =
+        vec3_norm(tangential_component(constraint->relative_displacement, constraint->normal));
+    double slip = (1.0 - solution.friction_ratio) * stretch;
+    /* The force draws the suture back. */
+    return is_tearing(&solution) ? vec3_scale(solution.slip_direction, -slip) : vec3_zero();
 }
 
 /* ---- contacts and ties */

@@ -98,4 +98,11 @@
  * Unit: 1, relative to the squared force. Origin: chosen. Test: none known. */
 #define CONTACT_MIN_TANGENT_SQUARED VBSS_TUNE(CONTACT_MIN_TANGENT_SQUARED, 1e-12)
 
+/* ---- Tears at sleeves (contact_law.c) */
+
+/* A transverse force tears a wall only if at least this part of it lies in the plane of the wall. Below, a
+ * small yield would move the hole far.
+ * Unit: 1. Origin: chosen. Test: none known. */
+#define CONTACT_MIN_TEAR_SHARE VBSS_TUNE(CONTACT_MIN_TEAR_SHARE, 0.2)
+
 #endif

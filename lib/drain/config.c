@@ -5,8 +5,10 @@
 #include "base/error.h"
 #include "drain/surface.h"
 
-_Static_assert(sizeof(vbss_drain_config) == VBSS_SIZE_WITH_SPLIT_POINTERS(vbss_drain_config, 280u),
-               "published size");
+/* Size up to `surface`, and up to `tear_energy`. */
+#define FIRST_SIZE VBSS_SIZE_WITH_SPLIT_POINTERS(vbss_drain_config, 280u)
+#define SIZE (FIRST_SIZE + (uint32_t)sizeof(double))
+_Static_assert(sizeof(vbss_drain_config) == SIZE, "published size");
 
 static const vbss_drain_config defaults = {
     .struct_size = sizeof(vbss_drain_config),
@@ -39,7 +41,7 @@ static const vbss_drain_config defaults = {
     .tip_length = 0.5e-3,
     .thread_force = 0.02,
 };
-static const uint32_t config_sizes[] = {VBSS_SIZE_WITH_SPLIT_POINTERS(vbss_drain_config, 280u), 0};
+static const uint32_t config_sizes[] = {FIRST_SIZE, SIZE, 0};
 static const vbss_layout config_layout = {"vbss_drain_config", &defaults, config_sizes};
 
 vbss_result vbss_drain_config_init(vbss_drain_config *config, uint32_t struct_size)
@@ -96,6 +98,9 @@ static vbss_result check(vbss_context *context, const vbss_drain_config *c)
     for (size_t i = 0; i < sizeof ranges / sizeof ranges[0]; i++) {
         VBSS_TRY(vbss_check_range(context, ranges[i].value, ranges[i].low, ranges[i].high,
                                   ranges[i].name));
+    }
+    if (c->tear_energy != 0.0) {
+        VBSS_TRY(vbss_check_range(context, c->tear_energy, 1.0, 1e7, "tear_energy"));
     }
     VBSS_TRY(vbss_check_finite(context, c->gravity, 3, "gravity"));
     VBSS_TRY(vbss_check_range(context, vbss_max_abs(c->gravity, 3), 0.0, 1e6, "gravity"));

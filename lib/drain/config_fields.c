@@ -3,7 +3,8 @@
 #include "base/config.h"
 #include "drain/drain.h"
 
-_Static_assert(sizeof(vbss_drain_config) == VBSS_SIZE_WITH_SPLIT_POINTERS(vbss_drain_config, 280u),
+_Static_assert(sizeof(vbss_drain_config) ==
+                   VBSS_SIZE_WITH_SPLIT_POINTERS(vbss_drain_config, 280u) + sizeof(double),
                "new fields must be listed, with a new version");
 
 typedef struct values {
@@ -50,6 +51,7 @@ static const vbss_field fields[] = {
     NUMBER(hole_damping),
     NUMBER(tip_length),
     NUMBER(thread_force),
+    VBSS_NUMBERS_SINCE(values, config.tear_energy, 1, 2),
 };
 
 void vbss_drain_visit_config(vbss_stream *stream, vbss_drain_config *config,
@@ -57,7 +59,8 @@ void vbss_drain_visit_config(vbss_stream *stream, vbss_drain_config *config,
 {
     static const vbss_baseline_fields table = {fields, sizeof fields / sizeof fields[0],
                                                offsetof(values, baseline),
-                                               VBSS_CODE('D', 'C', 'F', 'G'), 1};
+                                               VBSS_CODE('D', 'C', 'F', 'G'), 2};
+    config->tear_energy = stream->mode == VBSS_STREAM_READ ? 0.0 : config->tear_energy;
     vbss_baseline_visit_config(stream, &table, config, baseline);
     config->baseline = baseline;
 }

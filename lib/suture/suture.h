@@ -26,8 +26,9 @@ typedef struct suture_wall {
      * are edge_stride numbers. */
     const uint32_t *edges, *beside_edges;
     uint32_t edge_count, edge_stride;
-    const uint8_t *anchored;        /* per node; NULL: none is */
-    const vec3 *now, *trial, *rest; /* positions of the nodes, m */
+    const double *triangle_thickness; /* per triangle, m; NULL: that of the law */
+    const uint8_t *anchored;          /* per node; NULL: none is */
+    const vec3 *now, *trial, *rest;   /* positions of the nodes, m */
 } suture_wall;
 
 static inline suture_wall suture_wall_of_drain(const drain_object *d)
@@ -40,11 +41,18 @@ static inline suture_wall suture_wall_of_drain(const drain_object *d)
                          .beside_edges = mesh->edges[0].triangles,
                          .edge_count = mesh->edge_count,
                          .edge_stride = sizeof(drain_edge) / sizeof(uint32_t),
+                         .triangle_thickness = d->triangle_thickness,
                          .anchored = d->anchored,
                          .now = d->x,
                          .trial = d->trial,
                          .rest = mesh->rest};
 }
+
+typedef enum suture_tear {
+    SUTURE_HOLDS,
+    SUTURE_BEGINS_TO_TEAR, /* the event is due */
+    SUTURE_TEARS
+} suture_tear;
 
 typedef struct suture_hole {
     uint32_t id; /* 0 for a free entry */
@@ -65,6 +73,11 @@ typedef struct suture_hole {
     double max_arc;        /* largest arc length of the needle so far, m */
     double friction_force; /* friction on the suture, positive toward the tip, N */
     vec3 transverse_force; /* force on the suture across its line, N, in the world frame */
+    suture_tear tear;
+    /* the hole has torn up to a free edge: the side opposite to corner free_side - 1; 0: it has not */
+    uint32_t free_side;
+    double torn_length; /* how far it has torn, m */
+    double tear_work;   /* dissipated by that, J */
 } suture_hole;
 
 /* ---- the suture curve (curve.c) */
@@ -163,9 +176,25 @@ void vbss_hole_set_constraint(const suture_hole *hole, const vbss_drain_config *
 void vbss_hole_set_arc(suture_hole *hole, double arc);
 /* Stores the forces of the solved constraint in the hole. */
 void vbss_hole_store_forces(suture_hole *hole, const contact_constraint *constraint);
-/* Visits the hole with four tags from first_tag on. */
+/* Visits the hole, but not its tear, with four tags from first_tag on. */
 void vbss_hole_serialise(vbss_stream *stream, uint16_t first_tag, suture_hole *hole);
 /* Whether a hole that was read can exist. */
 bool vbss_hole_is_valid(const suture_hole *hole);
+
+/* ---- tears (tear.c) */
+
+/* Force in the plane of a triangle at which a hole in it tears, N; 0: it never does. */
+double vbss_suture_tear_force(const suture_wall *wall, uint32_t triangle);
+/* Unit normal of a triangle, with the nodes at `x`. */
+vec3 vbss_suture_wall_normal(const suture_wall *wall, const vec3 *x, uint32_t triangle);
+/* Moves a hole through the wall as it is now, along the part of the direction in its plane. Stops at a free
+ * edge, which becomes free_side, and before a triangle with three anchored nodes. Returns the length of the
+ * path, at most `distance`, m. */
+double vbss_suture_move_hole(const suture_wall *wall, suture_hole *hole, vec3 direction,
+                             double distance);
+/* Whether a point is beyond the free edge at which the hole is. False if the hole is at none. */
+bool vbss_suture_is_outside(const suture_wall *wall, const suture_hole *hole, vec3 point);
+/* Visits the tear of a hole with three tags from first_tag on. */
+void vbss_suture_serialise_tear(vbss_stream *stream, uint16_t first_tag, suture_hole *hole);
 
 #endif

@@ -32,6 +32,19 @@
  * Unit: segments. Origin: chosen. Test: none known. */
 #define SUTURE_NEEDLE_BENT_SEGMENTS VBSS_TUNE(SUTURE_NEEDLE_BENT_SEGMENTS, 2)
 
+/* ---- Tears (tear.c, scene/contacts/hole_constraints.c) */
+
+/* A substep moves a hole by at most this. The thread must stay where neither contact nor the guard act
+ * (SCENE_THREAD_EXCLUSION_ARC).
+ * Unit: 1, relative to the contact distance. Origin: chosen. Test: none known. */
+#define SUTURE_MAX_TEAR_RATIO VBSS_TUNE(SUTURE_MAX_TEAR_RATIO, 0.5)
+/* Triangles through which a hole moves in a substep.
+ * Unit: triangles. Origin: chosen. Test: none known. */
+#define SUTURE_MAX_TORN_TRIANGLES VBSS_TUNE(SUTURE_MAX_TORN_TRIANGLES, 64)
+/* A tear is reported as a new one after its force was below this.
+ * Unit: 1, relative to the force at which it tears. Origin: chosen. Test: none known. */
+#define SUTURE_TEAR_END_RATIO VBSS_TUNE(SUTURE_TEAR_END_RATIO, 0.5)
+
 /* ---- Baseline (baseline/puncture.c) */
 
 /* A tip is at a hole until this length of the needle has passed.

@@ -36,7 +36,7 @@ int contract_check_runs(const char *group, const contract_run *runs, size_t coun
 /* A struct that is filled by the library. */
 typedef struct contract_output {
     uint32_t size;     /* today's */
-    uint32_t older[2]; /* sizes of earlier versions that are still filled; 0: none */
+    uint32_t older[3]; /* sizes of earlier versions that are still filled; 0: none */
     vbss_result (*write)(void *handle, void *out, uint32_t size);
 } contract_output;
 

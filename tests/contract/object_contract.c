@@ -13,7 +13,7 @@ static void config_size_protocol(void **state)
 
 static bool is_published(const contract_output *out, uint32_t size)
 {
-    return size > 0 && (size == out->older[0] || size == out->older[1]);
+    return size > 0 && (size == out->older[0] || size == out->older[1] || size == out->older[2]);
 }
 
 static void check_output(const contract_output *output, void *handle)

@@ -441,7 +441,9 @@ static vbss_result cycle(vbss_context *context, uint32_t i)
     return vbss_drain_destroy(drain);
 }
 
-static const uint32_t config_sizes[] = {VBSS_SIZE_WITH_POINTERS(vbss_drain_config, 280u, 2u), 0},
+/* Up to `surface`, and up to `tear_energy`. */
+#define FIRST_SIZE VBSS_SIZE_WITH_SPLIT_POINTERS(vbss_drain_config, 280u)
+static const uint32_t config_sizes[] = {FIRST_SIZE, sizeof(vbss_drain_config), 0},
                       attachment_sizes[] = {72, 0};
 
 static const contract_object object = {

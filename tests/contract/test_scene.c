@@ -287,7 +287,7 @@ static const contract_object object = {
     .hash = get_hash,
     .outputs = {{264, {0}, write_rigid},
                 {sizeof(vbss_view), {0}, write_view},
-                {sizeof(vbss_scene_statistics), {200, 232}, write_statistics}},
+                {sizeof(vbss_scene_statistics), {200, 232, 248}, write_statistics}},
     .calls = {{.call = call_add_thread, .edits = true},
               {.call = call_add_rigid, .edits = true},
               {.call = call_pin, .edits = true},

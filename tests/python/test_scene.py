@@ -390,6 +390,54 @@ def test_a_stitch_survives_another_mesh_of_a_host_surface(context):
     assert scene.holes[0].triangle == before.triangle
 
 
+def tearing_scene(context, wall):
+    """A thread through a square sheet in the plane y = 0, with both ends pinned; the sheet is a host surface or a drain."""
+    scene = vb.Scene(context, mode="offline", floor=False)
+    corners = [(-0.01, 0, -0.01), (-0.01, 0, 0.01), (0.01, 0, 0.01), (0.01, 0, -0.01)]
+    triangles, settings = [(0, 1, 2), (0, 2, 3)], {"thickness": 1e-3, "tear_energy": 500.0}
+    if wall == "host":
+        body = scene.add_surface(corners, triangles, **settings)
+    else:
+        sheet = {"positions": corners, "triangles": triangles, "anchors": [0, 1]}
+        body = scene.add(vb.Drain(context, surface=sheet, young_modulus=5e7, **settings))
+    thread = vb.Thread(context, length=0.02, segment_count=40, start=(0.005, 0.01, -0.002), direction=(0, -1, 0))
+    suture = scene.add(thread)
+    hole = scene.make_hole(suture, 0.01, body, 1, (0.25, 0.4, 0.35))
+    return scene, thread, body, suture, hole, [thread.attach("pin", node) for node in (0, 40)]
+
+
+def pull(scene, thread, pins, steps, begin=0):
+    events = []
+    for step in range(begin, begin + steps):
+        for pin, y in zip(pins, (0.01, -0.01)):
+            thread.set_attachment_target(pin, (0.005 + 5e-5 * (step + 1), y, -0.002))
+        scene.step(1e-3)
+        events += scene.take_events()
+    return events
+
+
+@pytest.mark.parametrize("wall", ["host", "drain"])
+def test_a_thread_tears_out_of_a_sheet(context, wall):
+    scene, thread, body, suture, hole, pins = tearing_scene(context, wall)
+    at = scene.holes[0].position[0]
+    events = pull(scene, thread, pins, 60)
+    torn = scene.holes[0]
+    assert [event[1:4] for event in events if event.kind is vb.SceneEventKind.TEARING] == [(suture, body, hole)]
+    assert 1e-3 < torn.torn_length < 3e-3 and torn.tear_work == pytest.approx(0.5 * torn.torn_length, rel=0.01)
+    assert scene.statistics.torn_length == torn.torn_length and scene.statistics.tear_work == torn.tear_work
+    with vb.Context() as other:
+        loaded = vb.Scene.load(scene.save(), other)
+        assert loaded.state_hash == scene.state_hash and loaded.holes == scene.holes
+        scene.step(1e-3)
+        loaded.step(1e-3)
+        assert loaded.state_hash == scene.state_hash
+        loaded.close()
+    events = pull(scene, thread, pins, 200, 60)
+    out = [event for event in events if event.kind is vb.SceneEventKind.TORN_OUT]
+    assert [event[1:4] for event in out] == [(suture, body, hole)] and scene.holes == []
+    assert out[0].value == scene.statistics.torn_length == pytest.approx(0.01 - at, abs=1e-4)
+
+
 def test_only_method_vblast_has_baseline_statistics():
     with vb.Scene(method="vblast") as scene:
         thread = vb.Thread(scene.context, method="vblast", length=0.1, segment_count=20)

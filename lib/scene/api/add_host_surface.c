@@ -11,7 +11,7 @@
 #include "scene/world/world.h"
 
 _Static_assert(sizeof(vbss_scene_surface_config) ==
-                   VBSS_SIZE_WITH_POINTERS(vbss_scene_surface_config, 104u, 2u),
+                   VBSS_SIZE_WITH_POINTERS(vbss_scene_surface_config, 112u, 2u),
                "published size");
 
 static const vbss_scene_surface_config surface_defaults = {
@@ -28,7 +28,8 @@ static const vbss_scene_surface_config surface_defaults = {
 };
 static const uint32_t surface_sizes[] = {
     VBSS_SIZE_WITH_POINTERS(vbss_scene_surface_config, 48u, 2u),
-    VBSS_SIZE_WITH_POINTERS(vbss_scene_surface_config, 104u, 2u), 0};
+    VBSS_SIZE_WITH_POINTERS(vbss_scene_surface_config, 104u, 2u),
+    VBSS_SIZE_WITH_POINTERS(vbss_scene_surface_config, 112u, 2u), 0};
 static const vbss_layout surface_layout = {"vbss_scene_surface_config", &surface_defaults,
                                            surface_sizes};
 
@@ -68,6 +69,9 @@ static vbss_result check_holes(vbss_context *context, const vbss_scene_surface_c
     VBSS_TRY(vbss_check_range(context, c->hole_stiffness, 1.0, 1e7, "hole_stiffness"));
     VBSS_TRY(vbss_check_range(context, c->hole_damping, 0.0, 1e3, "hole_damping"));
     VBSS_TRY(vbss_check_range(context, c->tip_length, 0.0, 0.1, "tip_length"));
+    if (c->tear_energy != 0.0) {
+        VBSS_TRY(vbss_check_range(context, c->tear_energy, 1.0, 1e7, "tear_energy"));
+    }
     return vbss_check_range(context, c->thread_force, 1e-6, 1e3, "thread_force");
 }
 
@@ -112,9 +116,12 @@ uint64_t vbss_scene_hash_host_surface(const scene_host_surface *h, const scene_s
     vbss_stream_begin_hash(&stream);
     vbss_stream_u64(&stream, 1, &topology, 1);
     vbss_stream_u32(&stream, 2, &one_sided, 1);
+    vbss_drain_config holes = h->law;
     if (!has_default_holes(&h->law)) {
-        vbss_drain_config holes = h->law;
         vbss_scene_visit_hole_parameters(&stream, 3, &holes);
+    }
+    if (h->law.tear_energy > 0.0) {
+        vbss_stream_f64(&stream, 4, &holes.tear_energy, 1);
     }
     return vbss_hash_end(&stream.hash);
 }

@@ -15,7 +15,7 @@
 
 _Static_assert(sizeof(vbss_scene_config) == VBSS_SIZE_WITH_POINTERS(vbss_scene_config, 136u, 2u),
                "published size");
-_Static_assert(sizeof(vbss_scene_statistics) == 248, "published size");
+_Static_assert(sizeof(vbss_scene_statistics) == 264, "published size");
 
 static const vbss_scene_config defaults = {
     .struct_size = sizeof(vbss_scene_config),

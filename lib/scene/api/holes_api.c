@@ -185,7 +185,9 @@ vbss_result vbss_scene_get_hole(vbss_scene *scene, uint32_t index, vbss_scene_ho
                                .outward = h->is_outward,
                                .arc_length = h->arc,
                                .friction = h->friction_force,
-                               .thread = h->thread};
+                               .thread = h->thread,
+                               .torn_length = h->torn_length,
+                               .tear_work = h->tear_work};
         for (int k = 0; k < 3; k++) {
             own.weights[k] = h->barycentric[k];
         }

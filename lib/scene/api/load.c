@@ -451,6 +451,7 @@ static void set_hole_parameters(vbss_scene_surface_config *config, const vbss_dr
     config->hole_damping = law->hole_damping;
     config->tip_length = law->tip_length;
     config->thread_force = law->thread_force;
+    config->tear_energy = law->tear_energy;
 }
 
 static vbss_result load_host_surface(scene_loader *l, const scene_body_description *d)
@@ -471,7 +472,7 @@ static vbss_result load_host_surface(scene_loader *l, const scene_body_descripti
     config.thickness = m->thickness;
     config.jump_limit = d->host_surface.jump_limit;
     config.compliance_size = d->host_surface.compliance_size;
-    if (d->type == SCENE_DESCRIBED_WALL) {
+    if (d->type != SCENE_DESCRIBED_HOST_SURFACE) {
         set_hole_parameters(&config, &d->host_surface.law);
     }
     vbss_result result = check_created(l, vbss_scene_check_host_surface(l->s->context, &config));
@@ -549,6 +550,7 @@ static vbss_result load_body(scene_loader *l)
         return load_plane(l, &d);
     case SCENE_DESCRIBED_HOST_SURFACE:
     case SCENE_DESCRIBED_WALL:
+    case SCENE_DESCRIBED_TEARING_WALL:
         return load_host_surface(l, &d);
     default: /* SCENE_DESCRIBED_RIGID */
         return load_rigid(l, &d);

@@ -8,6 +8,7 @@
 #include "scene/api/overlap.h"
 #include "scene/api/place.h"
 #include "scene/solve/solve.h"
+#include "scene/tissue/tissue.h"
 #include "scene/world/world.h"
 
 #include <string.h>
@@ -171,6 +172,21 @@ static vbss_result place_holes(const scene_object *s, const scene_body *b,
     return VBSS_OK;
 }
 
+/* A hole that its thread has torn up to a free edge is at the free edge of the new mesh, too. */
+static void restore_free_sides(scene_object *s, const scene_body *b)
+{
+    for (uint32_t i = 0; i < s->config.hole_capacity; i++) {
+        suture_hole *hole = &s->holes[i];
+        if (hole->id == 0 || hole->wall != b->number || hole->free_side == 0) {
+            continue;
+        }
+        const scene_hole_context p = vbss_scene_get_hole_context(s, hole);
+        const vec3 thread = vbss_scene_hole_curve_point(&p, hole).position;
+        const vec3 out = vec3_sub(thread, vbss_hole_point(hole, &p.wall, p.wall.now));
+        (void)vbss_suture_move_hole(&p.wall, hole, out, p.wall.law->thickness);
+    }
+}
+
 /* ---- replacement */
 
 static bool is_of_mesh(const contact_key *key, uint32_t number)
@@ -227,6 +243,7 @@ static vbss_result remesh(scene_object *s, scene_body *b, const remesh_input *in
     VBSS_TRY(vbss_scene_check_overlap(s, &outline, "new mesh of the host surface"));
     VBSS_TRY(exchange_mesh(s, b, m));
     memcpy(s->holes, m->places, s->config.hole_capacity * sizeof *m->places);
+    restore_free_sides(s, b);
     drop_warm_start(s, b->number);
     s->step.pattern_hash = 0;
     s->report.generation++;

@@ -8,7 +8,7 @@
 #include "scene/step/step.h"
 #include "scene/world/method.h"
 
-static const uint32_t statistics_sizes[] = {200, 232, 248, 0};
+static const uint32_t statistics_sizes[] = {200, 232, 248, 264, 0};
 static const vbss_layout statistics_layout = {"vbss_scene_statistics", NULL, statistics_sizes};
 
 vbss_result vbss_scene_get_statistics(vbss_scene *scene, vbss_scene_statistics *statistics,

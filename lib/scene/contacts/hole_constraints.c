@@ -7,7 +7,7 @@ bool vbss_scene_add_hole_constraints(scene_object *s)
 {
     for (uint32_t i = 0; i < s->config.hole_capacity; i++) {
         const suture_hole *hole = &s->holes[i];
-        if (!vbss_scene_is_hole_active(s, hole)) {
+        if (!vbss_scene_is_hole_active(s, hole) || vbss_scene_is_hole_torn_open(s, hole)) {
             continue;
         }
         const contact_key key = {VBSS_SCENE_CONTACT_HOLE,
@@ -122,6 +122,18 @@ static uint32_t choose_span(const scene_hole_context *p, double arc, double step
     return far ? SUTURE_ON_NEEDLE : vbss_suture_span_at(&p->trial, arc);
 }
 
+static void set_tear(contact_constraint *constraint, const scene_hole_context *p,
+                     const suture_hole *hole)
+{
+    if (!vbss_scene_can_tear(p, hole)) {
+        return;
+    }
+    constraint->tear_force = vbss_suture_tear_force(&p->wall, hole->triangle);
+    constraint->max_tear_slip =
+        SUTURE_MAX_TEAR_RATIO * (p->now.thread->config.radius + 0.5 * p->wall.law->thickness);
+    constraint->wall_normal = vbss_suture_wall_normal(&p->wall, p->wall.trial, hole->triangle);
+}
+
 void vbss_scene_update_hole_constraint(scene_object *s, contact_constraint *constraint)
 {
     const suture_hole *hole = &s->holes[constraint->key.feature_a];
@@ -148,6 +160,7 @@ void vbss_scene_update_hole_constraint(scene_object *s, contact_constraint *cons
     geometry->point = point;
     vbss_hole_set_constraint(hole, p.wall.law, geometry->start_arc_length, &now, point,
                              s->step.substep_length, constraint);
+    set_tear(constraint, &p, hole);
     constraint->jacobian_block_count = 0;
     if (p.needle != NULL && (span == SUTURE_ON_NEEDLE || span <= 2)) {
         add_needle_jacobian(constraint, &p, &now);

@@ -82,11 +82,15 @@ void vbss_scene_visit_body_description(vbss_stream *stream, scene_body_descripti
         break;
     case SCENE_DESCRIBED_HOST_SURFACE:
     case SCENE_DESCRIBED_WALL:
+    case SCENE_DESCRIBED_TEARING_WALL:
         visit_mesh(stream, &d->host_surface.mesh);
         vbss_stream_f64(stream, 57, &d->host_surface.jump_limit, 1);
         vbss_stream_u32(stream, 58, &d->host_surface.compliance_size, 1);
-        if (d->type == SCENE_DESCRIBED_WALL) {
+        if (d->type != SCENE_DESCRIBED_HOST_SURFACE) {
             vbss_scene_visit_hole_parameters(stream, 59, &d->host_surface.law);
+        }
+        if (d->type == SCENE_DESCRIBED_TEARING_WALL) {
+            vbss_stream_f64(stream, 60, &d->host_surface.law.tear_energy, 1);
         }
         break;
     case SCENE_DESCRIBED_PLANE:
@@ -203,10 +207,11 @@ static scene_body_description describe_mesh(const scene_rigid *r, const collisio
                                                 .friction = r->created_friction,
                                                 .thickness = 2.0 * shape->radius};
     if (r->surface != NULL) {
-        return (scene_body_description){.type = SCENE_DESCRIBED_WALL,
-                                        .host_surface = {mesh, r->surface->jump_limit,
-                                                         r->surface->compliance_size,
-                                                         r->surface->law}};
+        return (scene_body_description){
+            .type = r->surface->law.tear_energy > 0.0 ? SCENE_DESCRIBED_TEARING_WALL
+                                                      : SCENE_DESCRIBED_WALL,
+            .host_surface = {mesh, r->surface->jump_limit, r->surface->compliance_size,
+                             r->surface->law}};
     }
     if (r->is_rigid_mesh) {
         return (scene_body_description){.type = SCENE_DESCRIBED_RIGID_MESH,
@@ -254,7 +259,7 @@ void vbss_scene_visit_body(vbss_stream *stream, scene_object *s, uint32_t entry)
         vbss_scene_visit_described_static_mesh(stream, &d.rigid_mesh.mesh, &shape->posed->local->x,
                                                shape->triangles[0]);
     }
-    if (d.type == SCENE_DESCRIBED_WALL) {
+    if (scene_host_surface_of(b) != NULL) {
         vbss_scene_visit_described_static_mesh(stream, &d.host_surface.mesh,
                                                &b->rigid.surface->now->x,
                                                s->collision->shapes[b->shape]->triangles[0]);

@@ -22,7 +22,8 @@ enum {
     SCENE_DESCRIBED_HOST_SURFACE = 10, /* its holes have the default parameters */
     SCENE_DESCRIBED_PLANE = 11,
     SCENE_DESCRIBED_WALL = 12, /* a host surface, with the parameters of its holes */
-    SCENE_DESCRIBED_RIGID_MESH = 13
+    SCENE_DESCRIBED_RIGID_MESH = 13,
+    SCENE_DESCRIBED_TEARING_WALL = 14 /* a wall, with its tear energy */
 };
 
 /* A rigid body that is neither a needle nor a grasper. */

@@ -281,6 +281,9 @@ static void visit_drain(vbss_stream *stream, scene_drain *b)
     if (stream->version >= 5) {
         vbss_stream_expect_f64(stream, 64, b->drain->config.thread_force);
     }
+    if (b->drain->config.tear_energy > 0.0) {
+        vbss_stream_expect_f64(stream, 65, b->drain->config.tear_energy);
+    }
     vbss_section outer = vbss_stream_open(stream, vbss_drain_kind.code, vbss_drain_kind.version);
     vbss_drain_serialise(stream, b->drain);
     vbss_stream_close(stream, outer);
@@ -504,6 +507,46 @@ static void visit_holes(vbss_stream *stream, scene_object *s)
     }
 }
 
+/* Removes all that is known of tears. */
+static void forget_tears(scene_object *s)
+{
+    s->report.statistics.torn_length = s->report.statistics.tear_work = 0.0;
+    for (uint32_t i = 0; i < s->config.hole_capacity; i++) {
+        suture_hole *hole = &s->holes[i];
+        hole->tear = SUTURE_HOLDS;
+        hole->free_side = 0;
+        hole->torn_length = hole->tear_work = 0.0;
+    }
+}
+
+/* Scenes in which nothing has torn do not have this section: their states are those of versions without
+ * tears. */
+static void visit_tears(vbss_stream *stream, scene_object *s)
+{
+    const uint32_t code = VBSS_CODE('T', 'E', 'A', 'R');
+    vbss_scene_statistics *c = &s->report.statistics;
+    const bool is_reading = stream->mode == VBSS_STREAM_READ;
+    if (is_reading) {
+        forget_tears(s);
+    }
+    if (is_reading ? !vbss_stream_has_section(stream, code) : c->torn_length == 0.0) {
+        return;
+    }
+    vbss_section outer = vbss_stream_open(stream, code, 1);
+    vbss_stream_f64(stream, 1, &c->torn_length, 1);
+    vbss_stream_f64(stream, 2, &c->tear_work, 1);
+    for (uint32_t i = 0; i < s->config.hole_capacity; i++) {
+        if (s->holes[i].id != 0) {
+            vbss_suture_serialise_tear(stream, 3, &s->holes[i]);
+        }
+    }
+    vbss_stream_close(stream, outer);
+    if (is_reading && (!(c->torn_length > 0.0) || !(c->tear_work > 0.0))) {
+        vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no such tears");
+        forget_tears(s);
+    }
+}
+
 static void visit_common_statistics(vbss_stream *stream, vbss_scene_statistics *s)
 {
     vbss_stream_u32(stream, 80, &s->contacts, 3); /* contacts, rows, separators */
@@ -625,6 +668,7 @@ void vbss_scene_serialise(vbss_stream *stream, void *object)
     visit_pins(stream, s);
     visit_thread_grasps(stream, s);
     visit_holes(stream, s);
+    visit_tears(stream, s);
     if (s->contacts != NULL) {
         vbss_contact_serialise(stream, 90, s->contacts);
     }

@@ -6,6 +6,7 @@
 #include "scene/solve/solve.h"
 #include "scene/step/groups.h"
 #include "scene/step/step.h"
+#include "scene/tissue/tissue.h"
 #include "scene/tuning.h"
 #include "scene/world/world.h"
 
@@ -65,6 +66,10 @@ scene_substep_outcome vbss_scene_run_attempt(scene_object *s)
     scene_substep_outcome outcome = cursor->is_attempt_in_memory
                                         ? vbss_scene_resume_solve(s, &cursor->substep)
                                         : begin_attempt(s, &cursor->substep);
+    if (outcome == SCENE_SUBSTEP_ACCEPTED && !cursor->substep.is_min_size &&
+        vbss_scene_tears_too_far(s)) {
+        outcome = SCENE_SUBSTEP_NOT_CONVERGED;
+    }
     cursor->is_attempt_suspended = cursor->is_attempt_in_memory =
         outcome == SCENE_SUBSTEP_SUSPENDED;
     cursor->checks_passed = s->contacts->call_budget.checks_passed;

@@ -85,7 +85,11 @@ void vbss_scene_commit_holes(scene_object *s)
     for (uint32_t i = 0; i < s->contacts->count; i++) {
         const contact_constraint *constraint = &s->contacts->constraints[i];
         if (constraint->key.kind == VBSS_SCENE_CONTACT_HOLE) {
-            vbss_hole_store_forces(&s->holes[constraint->key.feature_a], constraint);
+            suture_hole *hole = &s->holes[constraint->key.feature_a];
+            vbss_hole_store_forces(hole, constraint);
+            if (constraint->tear_force > 0.0) {
+                vbss_scene_tear_hole(s, hole, constraint);
+            }
         }
     }
 }

@@ -15,10 +15,10 @@ static void emit_event_of_body(scene_object *s, vbss_scene_event_kind kind, uint
     vbss_scene_add_event_at(s, &event, vbss_hole_point(hole, &wall, wall.now), hole->id);
 }
 
-static void emit_hole_event(scene_object *s, vbss_scene_event_kind kind, const suture_hole *hole,
-                            double force)
+void vbss_scene_emit_hole_event(scene_object *s, vbss_scene_event_kind kind,
+                                const suture_hole *hole, double value)
 {
-    emit_event_of_body(s, kind, hole->needle != 0 ? hole->needle : hole->thread, hole, force);
+    emit_event_of_body(s, kind, hole->needle != 0 ? hole->needle : hole->thread, hole, value);
 }
 
 void vbss_scene_record_holes_before_step(scene_object *s)
@@ -110,7 +110,7 @@ void vbss_scene_close_exited_holes(scene_object *s, bool relocates)
         emit_swage_event(s, &s->step.previous_holes[i], hole);
         bool stays = relocates && out == VBSS_SCENE_EVENT_WITHDRAWN && relocate_hole(s, &p, hole);
         if (out != 0 && !stays) {
-            emit_hole_event(s, out, hole, 0.0);
+            vbss_scene_emit_hole_event(s, out, hole, 0.0);
             *hole = (suture_hole){0};
         }
     }
@@ -156,12 +156,12 @@ void vbss_scene_add_hole(scene_object *s, suture_hole *made, double force)
 {
     suture_hole *hole = vbss_scene_find_free_hole(s);
     if (hole == NULL) {
-        emit_hole_event(s, VBSS_SCENE_EVENT_HOLE_LOST, made, 0.0);
+        vbss_scene_emit_hole_event(s, VBSS_SCENE_EVENT_HOLE_LOST, made, 0.0);
         return;
     }
     made->id = ++s->last_hole_id;
     *hole = *made;
-    emit_hole_event(s, VBSS_SCENE_EVENT_PUNCTURE, hole, force);
+    vbss_scene_emit_hole_event(s, VBSS_SCENE_EVENT_PUNCTURE, hole, force);
 }
 
 void vbss_scene_remove_holes_of(scene_object *s, uint32_t number)
@@ -191,7 +191,7 @@ void vbss_scene_close_holes_of_short_threads(scene_object *s)
         suture_hole *hole = &s->holes[i];
         if (hole->id != 0 && hole->thread != 0 &&
             !suture_is_curve(vbss_scene_body(s, hole->thread)->thread.thread)) {
-            emit_hole_event(s, VBSS_SCENE_EVENT_UNTHREADED, hole, 0.0);
+            vbss_scene_emit_hole_event(s, VBSS_SCENE_EVENT_UNTHREADED, hole, 0.0);
             *hole = (suture_hole){0};
         }
     }

@@ -75,6 +75,7 @@ static void puncture_wall(scene_object *s, const scene_body *needle, const scene
 
 void vbss_scene_update_holes(scene_object *s)
 {
+    vbss_scene_update_tears(s);
     vbss_scene_close_exited_holes(s, true);
     vbss_scene_find_fold_punctures(s);
     /* Forces of a rejected attempt, or of an active-set search that was stopped early, are not

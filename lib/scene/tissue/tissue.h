@@ -60,6 +60,10 @@ void vbss_scene_close_exited_holes(scene_object *s, bool relocates);
  * hole of the same wall. */
 bool vbss_scene_is_in_other_hole(const scene_object *s, const suture_hole *hole, double arc);
 
+/* Adds an event of a hole and the suture in it. */
+void vbss_scene_emit_hole_event(scene_object *s, vbss_scene_event_kind kind,
+                                const suture_hole *hole, double value);
+
 /* Adds a hole and its event, with the force along the tip that made it, N. Sets the id of `made`. If the
  * list is full, adds VBSS_SCENE_EVENT_HOLE_LOST and no hole. */
 void vbss_scene_add_hole(scene_object *s, suture_hole *made, double force);
@@ -86,6 +90,25 @@ suture_hole *vbss_scene_find_free_hole(scene_object *s);
 /* After a step: adds a hole where a needle that is entering a hole passes through the wall a second
  * time beside it. */
 void vbss_scene_find_fold_punctures(scene_object *s);
+
+/* ---- tears.c */
+
+/* Whether the thread of a hole can tear the wall. */
+bool vbss_scene_can_tear(const scene_hole_context *p, const suture_hole *hole);
+
+/* Whether a hole has torn up to a free edge of the wall, and its thread is beyond this edge: it has no
+ * force. */
+bool vbss_scene_is_hole_torn_open(const scene_object *s, const suture_hole *hole);
+
+/* Whether a hole would tear as far as its constraint lets it in this substep: shorter substeps follow the
+ * pull. */
+bool vbss_scene_tears_too_far(const scene_object *s);
+
+/* When a substep is committed: moves a hole through the wall by the yield of its constraint. */
+void vbss_scene_tear_hole(scene_object *s, suture_hole *hole, const contact_constraint *constraint);
+
+/* After a step: adds the events of tears, and removes the holes that threads have left at a free edge. */
+void vbss_scene_update_tears(scene_object *s);
 
 /* ---- punctures.c */
 

@@ -53,7 +53,8 @@ static vbss_drain_config law_of(const vbss_scene_surface_config *config)
                                .hole_stiffness = config->hole_stiffness,
                                .hole_damping = config->hole_damping,
                                .tip_length = config->tip_length,
-                               .thread_force = config->thread_force};
+                               .thread_force = config->thread_force,
+                               .tear_energy = config->tear_energy};
 }
 
 vbss_result vbss_scene_create_host_surface(scene_object *s, scene_rigid *r,

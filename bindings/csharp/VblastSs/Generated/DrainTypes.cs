@@ -222,6 +222,7 @@ namespace VblastSs
         internal double TipLength;
         internal double ThreadForce;
         internal IntPtr Surface;
+        internal double TearEnergy;
     }
 
     /// <summary>Configuration of a drain. Fill it with vbss_drain_config_init, then change fields.</summary>
@@ -508,6 +509,19 @@ namespace VblastSs
         /// The library copies the surface.
         /// </summary>
         public DrainSurface Surface { get; set; }
+
+        /// <summary>
+        /// In a scene, method IMPLICIT: energy for each square metre of cut, J/m^2, 1 to 1e7; 0
+        /// (default): threads do not tear the wall at their holes. With it, a thread cuts through
+        /// the wall when the force across it in the plane of the wall exceeds this energy times the
+        /// thickness (of the triangle, where the surface states it): docs/explanation/tearing.md
+        /// has published values. The mesh stays whole: the cut behind the thread is not opened.
+        /// </summary>
+        public double TearEnergy
+        {
+            get { return box[0].TearEnergy; }
+            set { box[0].TearEnergy = value; }
+        }
 
         internal DrainConfigData* Pin(Pins pins)
         {

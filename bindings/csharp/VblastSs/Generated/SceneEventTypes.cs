@@ -83,6 +83,16 @@ namespace VblastSs
         /// should.
         /// </summary>
         Overdue = 24,
+        /// <summary>
+        /// A thread begins to tear the wall at its hole (vbss_drain_config::tear_energy). Reported
+        /// again after the force has fallen below half of the one that tears.
+        /// </summary>
+        Tearing = 25,
+        /// <summary>
+        /// A thread has torn out: it has cut through the wall up to a free edge and left it there,
+        /// and the hole is gone.
+        /// </summary>
+        TornOut = 26,
     }
 
     /// <summary>Bits of `flags` of an event.</summary>

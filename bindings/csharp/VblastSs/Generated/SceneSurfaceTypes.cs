@@ -48,6 +48,7 @@ namespace VblastSs
         internal double HoleDamping;
         internal double TipLength;
         internal double ThreadForce;
+        internal double TearEnergy;
     }
 
     /// <summary>
@@ -203,6 +204,16 @@ namespace VblastSs
         {
             get { return box[0].ThreadForce; }
             set { box[0].ThreadForce = value; }
+        }
+
+        /// <summary>
+        /// Energy for each square metre of cut, J/m^2, 1 to 1e7; 0 (default): threads do not tear
+        /// the wall at their holes. Otherwise as vbss_drain_config::tear_energy.
+        /// </summary>
+        public double TearEnergy
+        {
+            get { return box[0].TearEnergy; }
+            set { box[0].TearEnergy = value; }
         }
 
         internal SceneSurfaceConfigData* Pin(Pins pins)

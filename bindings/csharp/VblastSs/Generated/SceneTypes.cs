@@ -1086,6 +1086,10 @@ namespace VblastSs
         /// completed them without the budget of a call.
         /// </summary>
         public uint Overdue;
+        /// <summary>Length that threads have torn at holes, m (vbss_drain_config::tear_energy).</summary>
+        public double TornLength;
+        /// <summary>Energy that this has dissipated, J.</summary>
+        public double TearWork;
     }
 
     /// <summary>
@@ -1153,6 +1157,13 @@ namespace VblastSs
         /// <summary>Number of the thread in the hole; 0: a needle is in it.</summary>
         public uint Thread;
         internal uint Reserved;
+        /// <summary>
+        /// Length of the cut by which the thread has torn this hole, m: along the wall as it was
+        /// then, in the plane of its triangles (vbss_drain_config::tear_energy).
+        /// </summary>
+        public double TornLength;
+        /// <summary>Energy that this has dissipated, J.</summary>
+        public double TearWork;
     }
 
     /// <summary>A grasped place of a thread, a needle or a drain.</summary>

@@ -210,7 +210,13 @@ class vbss_drain_config(ctypes.Structure):
     surface: Method IMPLICIT: sheet or tube in place of the tube with a slit; NULL (default):
     that tube. With a surface the fields mesh, mesh_divisions, radius, length, slit_length,
     slit_opening and mark_arc have no meaning, and the drain has neither marks nor a slit. The
-    library copies the surface."""
+    library copies the surface.
+
+    tear_energy: In a scene, method IMPLICIT: energy for each square metre of cut, J/m^2, 1 to
+    1e7; 0 (default): threads do not tear the wall at their holes. With it, a thread cuts
+    through the wall when the force across it in the plane of the wall exceeds this energy times
+    the thickness (of the triangle, where the surface states it): docs/explanation/tearing.md
+    has published values. The mesh stays whole: the cut behind the thread is not opened."""
     struct_size: int
     method: int
     mesh: int
@@ -245,6 +251,7 @@ class vbss_drain_config(ctypes.Structure):
     tip_length: float
     thread_force: float
     surface: Any
+    tear_energy: float
     _kinds_: ClassVar[dict[str, Any]] = {"method": Method, "mesh": DrainMesh}
     _fields_ = [
         ("struct_size", c_uint32),
@@ -281,6 +288,7 @@ class vbss_drain_config(ctypes.Structure):
         ("tip_length", c_double),
         ("thread_force", c_double),
         ("surface", POINTER(vbss_drain_surface)),
+        ("tear_energy", c_double),
     ]
 
 

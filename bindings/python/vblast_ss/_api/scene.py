@@ -688,7 +688,11 @@ class vbss_scene_statistics(ctypes.Structure):
     behind: Number of suspended and unbegun steps after the last call, 0 to 2.
 
     overdue: Steps that two calls had suspended while other bodies waited, so that the third
-    completed them without the budget of a call."""
+    completed them without the budget of a call.
+
+    torn_length: Length that threads have torn at holes, m (vbss_drain_config::tear_energy).
+
+    tear_work: Energy that this has dissipated, J."""
     struct_size: int
     contacts: int
     rows: int
@@ -723,6 +727,8 @@ class vbss_scene_statistics(ctypes.Structure):
     deferred: int
     behind: int
     overdue: int
+    torn_length: float
+    tear_work: float
     _kinds_: ClassVar[dict[str, Any]] = {}
     _fields_ = [
         ("struct_size", c_uint32),
@@ -759,6 +765,8 @@ class vbss_scene_statistics(ctypes.Structure):
         ("deferred", c_uint64),
         ("behind", c_uint32),
         ("overdue", c_uint32),
+        ("torn_length", c_double),
+        ("tear_work", c_double),
     ]
 
 
@@ -800,6 +808,8 @@ class SceneStatistics(NamedTuple):
     deferred: int
     behind: int
     overdue: int
+    torn_length: float
+    tear_work: float
 
 
 class vbss_scene_blocker(ctypes.Structure):
@@ -880,7 +890,12 @@ class vbss_scene_hole(ctypes.Structure):
 
     force: Force on the suture, N.
 
-    thread: Number of the thread in the hole; 0: a needle is in it."""
+    thread: Number of the thread in the hole; 0: a needle is in it.
+
+    torn_length: Length of the cut by which the thread has torn this hole, m: along the wall as
+    it was then, in the plane of its triangles (vbss_drain_config::tear_energy).
+
+    tear_work: Energy that this has dissipated, J."""
     struct_size: int
     id: int
     needle: int
@@ -896,6 +911,8 @@ class vbss_scene_hole(ctypes.Structure):
     force: Any
     thread: int
     reserved: int
+    torn_length: float
+    tear_work: float
     _kinds_: ClassVar[dict[str, Any]] = {}
     _fields_ = [
         ("struct_size", c_uint32),
@@ -913,6 +930,8 @@ class vbss_scene_hole(ctypes.Structure):
         ("force", c_double * 3),
         ("thread", c_uint32),
         ("reserved", c_uint32),
+        ("torn_length", c_double),
+        ("tear_work", c_double),
     ]
 
 
@@ -931,6 +950,8 @@ class SceneHole(NamedTuple):
     friction: float
     force: tuple[float, ...]
     thread: int
+    torn_length: float
+    tear_work: float
 
 
 class vbss_scene_grasp(ctypes.Structure):

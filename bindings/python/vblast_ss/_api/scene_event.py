@@ -69,6 +69,12 @@ class SceneEventKind(IntEnum):
     OVERDUE = 24
     """A step that two calls had suspended was completed without the budget of a call, because
     other bodies waited (vbss_scene_statistics::overdue). This call took longer than it should."""
+    TEARING = 25
+    """A thread begins to tear the wall at its hole (vbss_drain_config::tear_energy). Reported
+    again after the force has fallen below half of the one that tears."""
+    TORN_OUT = 26
+    """A thread has torn out: it has cut through the wall up to a free edge and left it there, and
+    the hole is gone."""
 
 
 class SceneEventFlagBits(IntFlag):

@@ -77,7 +77,10 @@ class vbss_scene_surface_config(ctypes.Structure):
     tip_length: Length of a tip's path through the wall over which puncture_force falls to
     hole_force, m, 0 to 0.1; default 0.5e-3.
 
-    thread_force: Friction of a hole with a slack thread in it, N, 1e-6 to 1e3; default 0.02."""
+    thread_force: Friction of a hole with a slack thread in it, N, 1e-6 to 1e3; default 0.02.
+
+    tear_energy: Energy for each square metre of cut, J/m^2, 1 to 1e7; 0 (default): threads do
+    not tear the wall at their holes. Otherwise as vbss_drain_config::tear_energy."""
     struct_size: int
     vertex_count: int
     triangle_count: int
@@ -96,6 +99,7 @@ class vbss_scene_surface_config(ctypes.Structure):
     hole_damping: float
     tip_length: float
     thread_force: float
+    tear_energy: float
     _kinds_: ClassVar[dict[str, Any]] = {}
     _fields_ = [
         ("struct_size", c_uint32),
@@ -116,6 +120,7 @@ class vbss_scene_surface_config(ctypes.Structure):
         ("hole_damping", c_double),
         ("tip_length", c_double),
         ("thread_force", c_double),
+        ("tear_energy", c_double),
     ]
 
 

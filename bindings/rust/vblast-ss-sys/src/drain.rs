@@ -185,6 +185,12 @@ pub struct vbss_drain_config {
     /// surface the fields mesh, mesh_divisions, radius, length, slit_length, slit_opening and mark_arc have
     /// no meaning, and the drain has neither marks nor a slit. The library copies the surface.
     pub surface: *const vbss_drain_surface,
+    /// In a scene, method IMPLICIT: energy for each square metre of cut, J/m^2, 1 to 1e7; 0 (default): threads
+    /// do not tear the wall at their holes. With it, a thread cuts through the wall when the force across
+    /// it in the plane of the wall exceeds this energy times the thickness (of the triangle, where the surface
+    /// states it): docs/explanation/tearing.md has published values. The mesh stays whole: the cut behind
+    /// the thread is not opened.
+    pub tear_energy: f64,
 }
 
 /// An attachment acts on one node. Fill it with vbss_drain_attachment_init.

@@ -482,6 +482,10 @@ pub struct vbss_scene_statistics {
     /// Steps that two calls had suspended while other bodies waited, so that the third completed
     /// them without the budget of a call.
     pub overdue: u32,
+    /// Length that threads have torn at holes, m (vbss_drain_config::tear_energy).
+    pub torn_length: f64,
+    /// Energy that this has dissipated, J.
+    pub tear_work: f64,
 }
 
 /// Two bodies that hold each other back, and all bodies that touch them. A failed step holds back
@@ -544,6 +548,11 @@ pub struct vbss_scene_hole {
     pub thread: u32,
     /// Zero.
     pub reserved: u32,
+    /// Length of the cut by which the thread has torn this hole, m: along the wall as it was then, in the
+    /// plane of its triangles (vbss_drain_config::tear_energy).
+    pub torn_length: f64,
+    /// Energy that this has dissipated, J.
+    pub tear_work: f64,
 }
 
 /// A grasped place of a thread, a needle or a drain.

@@ -64,6 +64,12 @@ pub const VBSS_SCENE_EVENT_CAUGHT_UP: vbss_scene_event_kind = 23;
 /// A step that two calls had suspended was completed without the budget of a call, because other bodies
 /// waited (vbss_scene_statistics::overdue). This call took longer than it should.
 pub const VBSS_SCENE_EVENT_OVERDUE: vbss_scene_event_kind = 24;
+/// A thread begins to tear the wall at its hole (vbss_drain_config::tear_energy). Reported again after the
+/// force has fallen below half of the one that tears.
+pub const VBSS_SCENE_EVENT_TEARING: vbss_scene_event_kind = 25;
+/// A thread has torn out: it has cut through the wall up to a free edge and left it there, and the hole
+/// is gone.
+pub const VBSS_SCENE_EVENT_TORN_OUT: vbss_scene_event_kind = 26;
 
 // Bits of `flags` of an event.
 /// The event has a position.

@@ -85,6 +85,9 @@ pub struct vbss_scene_surface_config {
     pub tip_length: f64,
     /// Friction of a hole with a slack thread in it, N, 1e-6 to 1e3; default 0.02.
     pub thread_force: f64,
+    /// Energy for each square metre of cut, J/m^2, 1 to 1e7; 0 (default): threads do not tear the wall at their
+    /// holes. Otherwise as vbss_drain_config::tear_energy.
+    pub tear_energy: f64,
 }
 
 /// A hole of a host surface that gets another mesh, as vbss_scene_place_hole_fn receives it.

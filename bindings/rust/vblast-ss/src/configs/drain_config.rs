@@ -212,4 +212,14 @@ impl DrainConfig {
         self.raw.thread_force = value;
         self
     }
+
+    /// In a scene, method IMPLICIT: energy for each square metre of cut, J/m^2, 1 to 1e7; 0 (default): threads
+    /// do not tear the wall at their holes. With it, a thread cuts through the wall when the force across
+    /// it in the plane of the wall exceeds this energy times the thickness (of the triangle, where the surface
+    /// states it): docs/explanation/tearing.md has published values. The mesh stays whole: the cut behind
+    /// the thread is not opened.
+    pub fn tear_energy(mut self, value: f64) -> Self {
+        self.raw.tear_energy = value;
+        self
+    }
 }
