@@ -17,9 +17,8 @@ static vec3 thread_end(const session_object *s, uint32_t hand)
 {
     const vbss_needle *needle = vbss_scene_inspect_body(s->scene, s->config.needle).needle;
     vbss_grasper_state state;
-    vbss_result result =
-        vbss_grasper_get_state(vbss_scene_inspect_body(s->scene, s->config.tools[hand]).grasper,
-                               &state, sizeof state);
+    vbss_result result = vbss_grasper_get_state(
+        vbss_scene_inspect_body(s->scene, s->config.tools[hand]).grasper, &state, sizeof state);
     if (needle == NULL || result != VBSS_OK || state.needle == 0) {
         return vec3_zero();
     }
@@ -67,8 +66,8 @@ void vbss_session_wind(const session_object *s, session_aided_hand *hand, uint32
     vec3 back = vec3_neg(quat_rotate(tool.pose.orientation, tool.forward));
     vec3 centre = vec3_add_scaled(tool.pose.position, SESSION_WIND_BEHIND, back);
     vec3 axis = vec3_scale(back, vbss_session_wanted_sign(s));
-    vec3 end = vec3_add(hand->free.position,
-                        quat_rotate(hand->free.orientation, thread_end(s, number)));
+    vec3 end =
+        vec3_add(hand->free.position, quat_rotate(hand->free.orientation, thread_end(s, number)));
     vec3 from = vec3_sub(end, centre);
     double aside = vec3_dot(from, axis), step = fabs(length);
     vec3 arm = vec3_add_scaled(from, -aside, axis);

@@ -68,6 +68,17 @@ bool trainee_has_ended(const trainee *t, vbss_session_exercise_state *state)
            state->outcome != VBSS_SESSION_OUTCOME_NONE;
 }
 
+void trainee_say(const trainee *t, const char *what)
+{
+    const vbss_session_coaching *c = &trainee_see(t)->coach;
+    if (t->verbose) {
+        printf("  %6.2f s %s: %s [%.1f mm, %.2f rad, %.2f turns, %.2f N, %.2f mm] %s\n",
+               t->live.time, what, c->sentence, 1e3 * c->distance, c->angle, c->turns, c->force,
+               1e3 * c->length, c->mistake_sentence);
+        fflush(stdout);
+    }
+}
+
 /* ---- time */
 
 static bool pass_frame(trainee *t)
@@ -152,6 +163,48 @@ bool trainee_roll(trainee *t, int side, double angle)
         }
     }
     return trainee_finish_motion(t);
+}
+
+#define TURN_SPEED 1.5 /* rad/s, on average */
+#define TURNED 0.995   /* cosine */
+
+/* The turn about an axis in the plane of the picture that takes one direction to the other: a mouse turns no tool about the line of
+ * sight. */
+static vec turn_between(const vbss_mapping_config *c, vec from, vec to)
+{
+    vec away = v_cross(v_load(c->up), v_load(c->right)), axis = v_cross(away, v_sub(to, from));
+    if (v_length(axis) < 1e-6) {
+        return v3(0.0, 0.0, 0.0);
+    }
+    axis = v_unit(axis);
+    vec a = v_along(from, -v_dot(from, axis), axis), b = v_along(to, -v_dot(to, axis), axis);
+    return v_scale(atan2(v_dot(axis, v_cross(a, b)), v_dot(a, b)), axis);
+}
+
+bool trainee_turn(trainee *t, int side, vec to)
+{
+    mouse_hand *m = &t->live.hands[side];
+    vec right = v_load(m->mapping.right), up = v_load(m->mapping.up);
+    t->live.active = side;
+    for (int i = 0; i < 6; i++) {
+        vec now = trainee_see(t)->jaws[side], by = turn_between(&m->mapping, now, to);
+        if (v_dot(now, to) > TURNED) {
+            return true;
+        }
+        by = v_scale(1.0 + t->noise * normal(t), by);
+        int frames = (int)ceil(fmax(SHORTEST, v_length(by) / TURN_SPEED) / FRAME);
+        for (int k = 0; k < frames; k++) {
+            mouse_hand_move(m, true, v_dot(by, up) / m->mapping.mouse_radians / frames,
+                            -v_dot(by, right) / m->mapping.mouse_radians / frames, 0.0);
+            if (!trainee_wait(t, 1)) {
+                return false;
+            }
+        }
+        if (!trainee_finish_motion(t)) {
+            return false;
+        }
+    }
+    return true;
 }
 
 /* Angle between the direction and the plane across the opening, about the jaws' axis. */

@@ -26,6 +26,7 @@ typedef struct trainee {
     sight past[TRAINEE_DELAY + 1];
     uint64_t frames;
     double noise; /* share of the length of a movement; 0.05 is usual */
+    double home;  /* m: x of the slit before it was pulled at */
     bool verbose;
 } trainee;
 
@@ -43,11 +44,15 @@ bool trainee_move(trainee *t, int side, vec by);
 /* Movements until the tip is seen within `near` of the place, 12 at most. */
 bool trainee_go(trainee *t, int side, vec to, double near);
 bool trainee_roll(trainee *t, int side, double angle);
+/* Turns the jaws until they point that way. */
+bool trainee_turn(trainee *t, int side, vec to);
 /* Rolls the jaws until they open square to the direction. */
 bool trainee_roll_across(trainee *t, int side, vec direction);
 bool trainee_jaws(trainee *t, int side, bool closes);
 bool trainee_aid(trainee *t, uint32_t aid);
 bool trainee_exchange(trainee *t, int side);
+/* Prints what it does and sees, if it shall. */
+void trainee_say(const trainee *t, const char *what);
 bool trainee_has_ended(const trainee *t, vbss_session_exercise_state *state);
 
 /* ---- lessons.c: each exercise, by the words of the coach */
@@ -55,5 +60,7 @@ bool trainee_has_ended(const trainee *t, vbss_session_exercise_state *state);
 void lesson_take_needle(trainee *t);
 void lesson_pass_mark(trainee *t);
 void lesson_cut(trainee *t);
+/* throws.c */
+void lesson_throw(trainee *t);
 
 #endif
