@@ -12,10 +12,12 @@
 #define TOGETHER 8e-3 /* of one hand before the other follows */
 #define STRIDE 60e-3  /* of the mouse when it winds */
 #define DRAWN 3e-3    /* of the tail at a time */
-#define TAUT 2e-3     /* of an end that is taut at a time */
-#define SLACK 8e-3    /* of the limb while it is slack */
-#define LOW 20e-3     /* of the tail below the slit */
-#define OFF 0.5e-3    /* of the slit from its place */
+#define TAUT 1.5e-3   /* of the limb at a time while both ends are taut, */
+#define SLACK 6e-3    /* and while one is slack: it misses */
+#define SLACKER 0.93  /* more of the force */
+#define FAR 0.15      /* from the slit, to where the hands pull */
+#define LOW 20e-3     /* of the tail below the slit, 70 mm from it */
+#define OFF 1.5e-3    /* of the slit from its place */
 #define HALF_TURN 3.14159265358979
 
 static bool is_goal(const trainee *t, vbss_session_goal goal)
@@ -130,23 +132,24 @@ static bool draw_tail(trainee *t, int loop)
     return true;
 }
 
-/* One hand pulls after the other, so that the slit stays in its place: the limb until it is taut, then the hand that the slit
- * has moved away from. */
+/* One hand after the other pulls, the tail half as far; only one, if the slit has gone along with the other. */
 static bool seat(trainee *t, int loop, double home)
 {
     double side = side_of(loop);
-    for (int i = 0; i < 80 && is_goal(t, VBSS_SESSION_GOAL_SEAT); i++) {
-        const vbss_session_coaching *c = &trainee_see(t)->coach;
-        vec slit = point_of(t);
-        bool slack = c->force > 0.95 * c->pull_force;
-        bool limb = slack || side * (slit.x - home) > OFF;
-        int mover = limb ? 1 - loop : loop;
-        vec to = v_add(slit, limb ? v3(-side * 95e-3, 0.0, 7e-3) : v3(side * 70e-3, 0.0, -LOW));
-        vec by = v_unit(v_sub(to, trainee_see(t)->tip[mover]));
-        if (!trainee_move(t, mover, v_scale(slack ? SLACK : TAUT, by))) {
+    for (int i = 0; i < 60 && is_goal(t, VBSS_SESSION_GOAL_SEAT); i++) {
+        const vbss_session_coaching c = trainee_see(t)->coach;
+        vec slit = v_load(c.point);
+        double off = c.force > 0.0 ? side * (slit.x - home) : 0.0;
+        double step = c.force > SLACKER * c.pull_force ? SLACK : TAUT;
+        vec limb = v_add(slit, v3(-side * FAR, 0.0, 7e-3)),
+            tail = v_add(slit, v3(side * FAR, 0.0, -LOW * FAR / 70e-3));
+        limb = v_scale(step, v_unit(v_sub(limb, trainee_see(t)->tip[1 - loop])));
+        tail = v_scale(0.5 * step, v_unit(v_sub(tail, trainee_see(t)->tip[loop])));
+        if ((off > -OFF && !trainee_move(t, 1 - loop, limb)) ||
+            (off < OFF && !trainee_move(t, loop, tail))) {
             return false;
         }
-        trainee_say(t, limb ? "pulled the limb" : "pulled the tail");
+        trainee_say(t, off > OFF ? "pulled the limb" : off < -OFF ? "pulled the tail" : "pulled");
     }
     return true;
 }
