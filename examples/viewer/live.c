@@ -174,7 +174,7 @@ static vbss_result give_hand(const live *l, int side, const double at[3], const 
     return vbss_session_move_hand(l->stage.rig->session, side, &input);
 }
 
-/* The mouse turns a tool about the axes that this has now, whatever the aids have made of its turns. Its desk has no edge: the way of a
+/* The mouse turns a tool about the axes that this has now, whatever the aids have made of its turns. Its desk has no edge: the path of a
  * mouse that winds is longer than the reach of a tool. */
 static vbss_result lead_aided_mouse(live *l, int side)
 {

@@ -239,8 +239,8 @@ static void winding_keeps_the_thread_nearly_taut(void **state)
     expect_near(0.92 * 30e-3, vbss_session_wind_radius(s, &seen, RIG_LEFT, centre, 20e-3), 1e-9);
     s->coach.turns[RIG_LEFT] = sign * 1.5;
     double wound = 6.283185307179586 * 1.3e-3;
-    expect_near(0.92 * (30e-3 - wound),
-                vbss_session_wind_radius(s, &seen, RIG_LEFT, centre, 20e-3), 1e-9);
+    expect_near(0.92 * (30e-3 - wound), vbss_session_wind_radius(s, &seen, RIG_LEFT, centre, 20e-3),
+                1e-9);
     s->knot.is_located = true; /* so long a part of the thread is in it */
     s->knot.end_arcs[SESSION_EXIT] = arc - 40e-3;
     expect_near(8e-3, vbss_session_wind_radius(s, &seen, RIG_LEFT, centre, 20e-3), SLACK);

@@ -14,10 +14,12 @@
 #define DRAWN 3e-3    /* of the tail at a time */
 #define TAUT 1.5e-3   /* of the limb at a time while both ends are taut, */
 #define SLACK 6e-3    /* and while one is slack: it misses */
-#define SLACKER 0.93  /* more of the force */
+#define SLACKER 0.88  /* more of the force */
 #define FAR 0.15      /* from the slit, to where the hands pull */
 #define LOW 20e-3     /* of the tail below the slit, 70 mm from it */
 #define OFF 1.5e-3    /* of the slit from its place */
+#define HARD 1.0      /* N, of an end */
+#define UNLIKE 1.5    /* times the other end's tension */
 #define HALF_TURN 3.14159265358979
 
 static bool is_goal(const trainee *t, vbss_session_goal goal)
@@ -36,7 +38,7 @@ static double side_of(int side)
     return side == LEFT ? -1.0 : 1.0;
 }
 
-/* Both hands by the same way, in turns. */
+/* Both hands by the same displacement, in turns. */
 static bool go_together(trainee *t, int first, vec by)
 {
     int parts = (int)ceil(v_length(by) / TOGETHER);
@@ -132,24 +134,38 @@ static bool draw_tail(trainee *t, int loop)
     return true;
 }
 
-/* One hand after the other pulls, the tail half as far; only one, if the slit has gone along with the other. */
+/* Which hand rests: that of the end that bears much more, as its colour shows, or the one to whose side the slit has gone. */
+typedef struct pull_plan {
+    bool limb_rests, tail_rests;
+} pull_plan;
+
+static pull_plan choose_pull(const trainee *t, double off)
+{
+    const double *n = trainee_see(t)->tension;
+    bool limb = n[1] > HARD && n[1] > UNLIKE * n[0], tail = n[0] > HARD && n[0] > UNLIKE * n[1];
+    return limb || tail ? (pull_plan){limb, tail} : (pull_plan){off<-OFF, off> OFF};
+}
+
+/* One hand after the other pulls, the tail half as far. */
 static bool seat(trainee *t, int loop, double home)
 {
     double side = side_of(loop);
     for (int i = 0; i < 60 && is_goal(t, VBSS_SESSION_GOAL_SEAT); i++) {
         const vbss_session_coaching c = trainee_see(t)->coach;
         vec slit = v_load(c.point);
-        double off = c.force > 0.0 ? side * (slit.x - home) : 0.0;
+        pull_plan p = choose_pull(t, c.force > 0.0 ? side * (slit.x - home) : 0.0);
         double step = c.force > SLACKER * c.pull_force ? SLACK : TAUT;
         vec limb = v_add(slit, v3(-side * FAR, 0.0, 7e-3)),
             tail = v_add(slit, v3(side * FAR, 0.0, -LOW * FAR / 70e-3));
         limb = v_scale(step, v_unit(v_sub(limb, trainee_see(t)->tip[1 - loop])));
         tail = v_scale(0.5 * step, v_unit(v_sub(tail, trainee_see(t)->tip[loop])));
-        if ((off > -OFF && !trainee_move(t, 1 - loop, limb)) ||
-            (off < OFF && !trainee_move(t, loop, tail))) {
+        if ((!p.limb_rests && !trainee_move(t, 1 - loop, limb)) ||
+            (!p.tail_rests && !trainee_move(t, loop, tail))) {
             return false;
         }
-        trainee_say(t, off > OFF ? "pulled the limb" : off < -OFF ? "pulled the tail" : "pulled");
+        trainee_say(t, p.tail_rests   ? "pulled the limb"
+                       : p.limb_rests ? "pulled the tail"
+                                      : "pulled");
     }
     return true;
 }

@@ -6,6 +6,7 @@
 
 #define FRAME 0.016
 #define SEES 0.2e-3    /* m: error of the view, standard deviation */
+#define SHADE 0.2      /* error of a tension that is read from a colour, share */
 #define SPEED 0.10     /* m/s, of a movement in the middle */
 #define SHORTEST 0.3   /* s, of a movement */
 #define NOTCH_ROLL 0.1 /* rad */
@@ -14,18 +15,18 @@ enum { STEPS = 16, MAX_MOVEMENTS = 12 };
 
 /* ---- chance */
 
-static double chance(trainee *t)
+static double normal_of(uint64_t *random)
 {
-    return hand_chance(&t->random);
+    double sum = -6.0;
+    for (int i = 0; i < 12; i++) {
+        sum += hand_chance(random);
+    }
+    return sum;
 }
 
 static double normal(trainee *t)
 {
-    double sum = -6.0;
-    for (int i = 0; i < 12; i++) {
-        sum += chance(t);
-    }
-    return sum;
+    return normal_of(&t->random);
 }
 
 static vec error_of(trainee *t, double size)
@@ -39,6 +40,7 @@ static void observe(trainee *t)
 {
     sight *s = &t->past[t->frames % (TRAINEE_DELAY + 1)];
     vbss_needle_state needle;
+    vbss_session_status status;
     const stitch *of = t->live.stage.tasked;
     memset(s, 0, sizeof *s);
     for (int side = 0; side < SIDES; side++) {
@@ -50,6 +52,10 @@ static void observe(trainee *t)
         s->has_needle[side] = tool.needle != 0;
         s->holds[side] = tool.needle != 0 || tool.grasp_count > 0 || tool.drain != 0;
         s->shears[side] = tool.kind == VBSS_GRASPER_KIND_SHEARS;
+    }
+    (void)vbss_session_get_status(t->live.stage.task.session, &status, sizeof status);
+    for (int i = 0; i < 2; i++) {
+        s->tension[i] = status.tension[i] * (1.0 + SHADE * normal_of(&t->shades));
     }
     (void)vbss_needle_get_state(of->site.needle, &needle, sizeof needle);
     s->needle = v_add(v_load(needle.tip), error_of(t, SEES));
@@ -254,6 +260,7 @@ vbss_result trainee_begin(trainee *t, vbss_session_exercise exercise, const star
 {
     memset(t, 0, sizeof *t);
     t->random = seed * 7919 + 17;
+    t->shades = seed * 104729 + 29;
     t->noise = 0.06;
     TRY(live_create_exercise(&t->live, exercise, states, NULL, log));
     const live_scene *scene = t->live.scene;
