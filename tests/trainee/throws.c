@@ -111,10 +111,12 @@ static bool take_tail(trainee *t, int loop)
     return true;
 }
 
-/* The limb is slack over the slit, and the tail goes over it to its own side. */
+/* The limb is slack over the slit, and the tail goes over it to its own side; past
+ * the slit the jaws point inward. */
 static bool draw_tail(trainee *t, int loop)
 {
     double side = side_of(loop);
+    bool turned = false;
     vec slit = point_of(t), over = v_add(slit, v3(-15e-3 * side, 10e-3, 30e-3));
     if (!trainee_go(t, 1 - loop, over, 5e-3)) {
         return false;
@@ -123,6 +125,10 @@ static bool draw_tail(trainee *t, int loop)
     double radius = sqrt(arm.x * arm.x + arm.z * arm.z), angle = atan2(arm.z, side * arm.x);
     angle += angle < -0.5 * HALF_TURN ? 2.0 * HALF_TURN : 0.0;
     for (int i = 0; i < 40 && is_goal(t, VBSS_SESSION_GOAL_DRAW_TAIL); i++) {
+        if (!turned && angle < 0.5 * HALF_TURN) {
+            turned =
+                trainee_turn(t, loop, v3(-side, 0.0, 0.0)); /* or the last turn hangs on them */
+        }
         radius += angle > 0.0 ? 0.0 : DRAWN;
         angle -= angle > 0.0 ? DRAWN / radius : 0.0;
         vec to = v_add(slit, v3(side * radius * cos(angle), 0.0, radius * sin(angle)));

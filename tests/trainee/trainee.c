@@ -78,9 +78,11 @@ void trainee_say(const trainee *t, const char *what)
 {
     const vbss_session_coaching *c = &trainee_see(t)->coach;
     if (t->verbose) {
-        printf("  %6.2f s %s: %s [%.1f mm, %.2f rad, %.2f turns, %.2f N, %.2f mm] %s\n",
+        printf("  %6.2f s %s: %s [%.1f mm, %.2f rad, %.2f turns, %.2f N, %.2f mm; pulls %.2f, %.2f "
+               "N] %s\n",
                t->live.time, what, c->sentence, 1e3 * c->distance, c->angle, c->turns, c->force,
-               1e3 * c->length, c->mistake_sentence);
+               1e3 * c->length, trainee_see(t)->tension[0], trainee_see(t)->tension[1],
+               c->mistake_sentence);
         fflush(stdout);
     }
 }
