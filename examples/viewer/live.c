@@ -174,7 +174,8 @@ static vbss_result give_hand(const live *l, int side, const double at[3], const 
     return vbss_session_move_hand(l->stage.rig->session, side, &input);
 }
 
-/* The mouse turns a tool about the axes that this has now, whatever the aids have made of its turns. */
+/* The mouse turns a tool about the axes that this has now, whatever the aids have made of its turns. Its desk has no edge: the path of a
+ * mouse that winds is longer than the reach of a tool. */
 static vbss_result lead_aided_mouse(live *l, int side)
 {
     mouse_hand *m = &l->hands[side];
@@ -182,6 +183,7 @@ static vbss_result lead_aided_mouse(live *l, int side)
     TRY(vbss_grasper_get_state(l->stage.graspers[side], &tool, sizeof tool));
     if (l->steps > 0) {
         memcpy(m->sample.orientation, tool.target_orientation, sizeof m->sample.orientation);
+        mouse_hand_centre(m);
         TRY(give_hand(l, side, m->in.position, m->sample.orientation, m->in.jaw, true));
     }
     TRY(mouse_hand_read(m, l->time));

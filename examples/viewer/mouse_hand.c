@@ -161,6 +161,14 @@ vbss_result mouse_hand_clutch(mouse_hand *m, bool held)
     return vbss_device_set_clutch(m->device, held);
 }
 
+void mouse_hand_centre(mouse_hand *m)
+{
+    for (int i = 0; i < 3 && !m->clutched; i++) {
+        m->sample.position[i] -= m->in.position[i];
+        m->in.position[i] = 0.0;
+    }
+}
+
 vbss_result mouse_hand_read(mouse_hand *m, double now)
 {
     return vbss_device_read(m->device, now, &m->in, sizeof m->in);

@@ -35,6 +35,8 @@ void mouse_hand_move(mouse_hand *m, bool turns, double right, double up, double 
 void mouse_hand_pull(mouse_hand *m, const double axes[6], double grain);
 /* The mouse moves freely while it is held. */
 vbss_result mouse_hand_clutch(mouse_hand *m, bool held);
+/* The hand goes back to the middle of its reach, where it reads as `in` has it then; its tool has to stay. */
+void mouse_hand_centre(mouse_hand *m);
 /* Reads the device. */
 vbss_result mouse_hand_read(mouse_hand *m, double now);
 

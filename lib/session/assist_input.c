@@ -136,30 +136,6 @@ static bool is_winding(const session_object *s, uint32_t hand)
            !holds_needle(s, 1 - hand) && grasper_of(s, 1 - hand) != NULL;
 }
 
-/* Moves a distance toward `to` by at most `step`. */
-static double approach(double from, double to, double step)
-{
-    return from < to ? vbss_min(from + step, to) : vbss_max(from - step, to);
-}
-
-/* A hand beyond the limits of the radius, or beside the circle, comes to it while it moves. */
-static void wind(const session_object *s, session_aided_hand *hand, uint32_t loop, double length)
-{
-    const scene_grasper_info tool = vbss_scene_inspect_grasper(grasper_of(s, loop));
-    vec3 back = vec3_neg(quat_rotate(tool.pose.orientation, tool.forward));
-    vec3 centre = vec3_add_scaled(tool.pose.position, SESSION_WIND_BEHIND, back);
-    vec3 axis = vec3_scale(back, vbss_session_wanted_sign(s));
-    vec3 from = vec3_sub(hand->free.position, centre);
-    double aside = vec3_dot(from, axis), step = fabs(length);
-    vec3 arm = vec3_add_scaled(from, -aside, axis);
-    double radius = vec3_norm(arm);
-    double wanted = vbss_min(vbss_max(radius, SESSION_WIND_RADIUS), SESSION_WIND_MAX_RADIUS);
-    arm = vec3_unit_or(arm, vec3_any_normal(axis));
-    arm = quat_rotate(vbss_quat_from_rotation_vector(vec3_scale(axis, length / wanted)), arm);
-    vec3 place = vec3_add_scaled(centre, approach(radius, wanted, step), arm);
-    hand->free.position = vec3_add_scaled(place, approach(aside, 0.0, step), axis);
-}
-
 /* ---- SNAP_ROLL */
 
 static double wrap(double angle)
@@ -175,6 +151,12 @@ static double roll_of(quat orientation, vec3 along)
     vec3 zero = vec3_add_scaled(along, -vec3_dot(along, shaft), shaft);
     zero = vec3_unit_or(zero, vec3_any_normal(shaft));
     return vbss_atan2(vec3_dot(vec3_cross(zero, jaws), shaft), vec3_dot(zero, jaws));
+}
+
+/* Moves a distance toward `to` by at most `step`. */
+static double approach(double from, double to, double step)
+{
+    return from < to ? vbss_min(from + step, to) : vbss_max(from - step, to);
 }
 
 static quat roll_by(quat orientation, double angle)
@@ -229,7 +211,7 @@ static void move(session_object *s, session_aided_hand *hand, uint32_t number,
     }
     hand->free.orientation = quat_unit(quat_mul(motion.orientation, hand->free.orientation));
     if (is_winding(s, number)) {
-        wind(s, hand, 1 - number, move_along(s, axes, motion.position));
+        vbss_session_wind(s, hand, number, move_along(s, axes, motion.position));
     } else {
         hand->free.position = vec3_add(hand->free.position, motion.position);
     }

@@ -150,6 +150,12 @@ static thread_point point_on_thread(const session_object *s, const session_obser
                           vec3_unit_or(vec3_sub(to, from), vec3_make(0.0, 0.0, 1.0))};
 }
 
+vec3 vbss_session_thread_position(const session_object *s, const session_observation *observed,
+                                  double arc)
+{
+    return point_on_thread(s, observed, arc).position;
+}
+
 /* ---- parts of a description */
 
 static void set_point(vbss_session_coaching *c, vec3 point)
@@ -280,10 +286,10 @@ static void describe_winding(const session_object *s, const session_observation 
     vec3 tip = observed->tools[loop].tip, back = vec3_neg(jaw_direction(s, loop));
     vec3 inward = vec3_neg(own_side(&f, loop));
     vec3 centre = vec3_add_scaled(tip, SESSION_WIND_BEHIND, back);
-    vec3 from = vec3_sub(observed->tools[goal.tool].tip, centre);
+    const scene_needle_info needle = read_needle(s);
+    vec3 from = vec3_sub(point_on_needle(&needle, needle.length), centre);
     from = vec3_add_scaled(from, -vec3_dot(from, back), back);
-    double radius =
-        vbss_min(vbss_max(vec3_norm(from), SESSION_WIND_RADIUS), SESSION_WIND_MAX_RADIUS);
+    double radius = vbss_session_wind_radius(s, observed, loop, centre, vec3_norm(from));
     vec3 start = vec3_add_scaled(centre, radius, vec3_unit_or(from, vec3_any_normal(back)));
     c->number = vbss_session_next_throw(s);
     double wanted = vbss_session_wanted_wraps(s) + SESSION_TURNS_BEYOND;

@@ -64,9 +64,13 @@ static session_goal find_goal_of_needle(const session_object *s,
                      before != NO_HAND ? 1 - before : 1 - vbss_session_limb_hand(s));
 }
 
-static session_goal find_goal_of_tail(const session_object *s)
+/* A tail that is drawn through turns may draw thread out of the drain: until it is released it is drawn on. */
+static session_goal find_goal_of_tail(const session_object *s, const session_observation *observed)
 {
     uint32_t hand = vbss_session_limb_hand(s);
+    if (is_current(s, VBSS_SESSION_GOAL_DRAW_TAIL) && observed->tools[1 - hand].has_tail) {
+        return make_goal(VBSS_SESSION_GOAL_DRAW_TAIL, 1 - hand);
+    }
     if (s->holding_tools.value == 0) {
         return make_goal(VBSS_SESSION_GOAL_TAKE_NEEDLE, hand);
     }
@@ -154,7 +158,7 @@ session_goal vbss_session_find_goal(const session_object *s, const session_obser
                                                      : VBSS_SESSION_GOAL_DRIVE,
                          vbss_session_limb_hand(s));
     case VBSS_SESSION_PHASE_PULL_THROUGH:
-        return vbss_session_is_threaded(s) ? find_goal_of_tail(s)
+        return vbss_session_is_threaded(s) ? find_goal_of_tail(s, observed)
                                            : find_goal_of_needle(s, observed);
     case VBSS_SESSION_PHASE_THROW_1:
     case VBSS_SESSION_PHASE_THROW_2:

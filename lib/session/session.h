@@ -333,6 +333,15 @@ void vbss_session_visit_assistance(vbss_stream *stream, session_object *s);
 /* Changes the input of a hand as the aids demand. `h` is the time since the input before, s. */
 void vbss_session_assist(session_object *s, uint32_t hand, double h, session_input *input);
 
+/* ---- assist_wind.c */
+
+/* Radius of the circle on which the thread is nearly taut, m; without a stitch, `radius`; within the limits of WIND. */
+double vbss_session_wind_radius(const session_object *s, const session_observation *observed,
+                                uint32_t loop, vec3 centre, double radius);
+/* Moves the hand `number`, which holds the needle, round the other tool by an arc of that length, m. */
+void vbss_session_wind(const session_object *s, session_aided_hand *hand, uint32_t number,
+                       double length);
+
 /* ---- device_io.c
  *
  * Both functions do nothing during a replay, and skip a hand that has no device or no tool. `now`
@@ -473,6 +482,9 @@ void vbss_session_describe_goal(const session_object *s, const session_observati
 
 /* Point of the needle at an arc length from its tip, m. The needle must be in the scene. */
 vec3 vbss_session_needle_point(const session_object *s, double arc_length);
+/* Position of the stitch's thread at an arc length from its first node, m. */
+vec3 vbss_session_thread_position(const session_object *s, const session_observation *observed,
+                                  double arc);
 /* Length of the needle, m. */
 double vbss_session_needle_length(const session_object *s);
 

@@ -67,6 +67,12 @@
  * Unit: m. Origin: fitted, in the feasibility study of scripted throws. Test: none known. */
 #define SESSION_WIND_RADIUS VBSS_TUNE(SESSION_WIND_RADIUS, 8e-3)
 #define SESSION_WIND_MAX_RADIUS VBSS_TUNE(SESSION_WIND_MAX_RADIUS, 45e-3)
+/* Radius of the circle that WIND keeps over the one at which the thread is taut, so that a drain that moves does not draw it.
+ * Unit: 1, relative to the free length of the thread. Origin: chosen, of the scripted surgeon. Test: session.assistance. */
+#define SESSION_WIND_SNUG VBSS_TUNE(SESSION_WIND_SNUG, 0.92)
+/* Radius of a turn on the jaws: neck and thread.
+ * Unit: m. Origin: derived: default of neck_radius and half a thread of 0.2 mm. Test: none known. */
+#define SESSION_WIND_NECK VBSS_TUNE(SESSION_WIND_NECK, 1.3e-3)
 /* Turns beyond the number of wraps at which winding is complete; k < turns <= k + 1 ties k wraps.
  * Unit: turns. Origin: derived: a quarter from either limit. Test: session.coach_goals. */
 #define SESSION_TURNS_BEYOND VBSS_TUNE(SESSION_TURNS_BEYOND, 0.25)

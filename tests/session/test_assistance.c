@@ -218,6 +218,35 @@ static void winding_comes_to_its_limits(void **state)
     }
 }
 
+/* The circle shrinks with the free length of the thread: from the needle to the wall or the knot, less what is on the jaws. */
+static void winding_keeps_the_thread_nearly_taut(void **state)
+{
+    (void)state;
+    static hand_path p;
+    begin(&p);
+    session_object *s = p.r.s;
+    session_observation seen = p.r.observation;
+    const scene_thread_info t = vbss_scene_inspect_thread(p.r.scene.thread);
+    double arc = 0.0, sign = vbss_session_wanted_sign(s);
+    for (uint32_t i = 0; i < 40; i++) {
+        arc += t.rest_lengths[i];
+    }
+    const vec3 centre = vec3_add_scaled(t.positions[40], arc - 30e-3, vec3_make(0.0, 0.0, 1.0));
+    expect_near(20e-3, vbss_session_wind_radius(s, &seen, RIG_LEFT, centre, 20e-3), SLACK);
+    seen.hole_count = 1;
+    seen.holes[0] = (session_hole_observation){.id = RIG_EXIT, .thread = seen.thread, .arc = arc};
+    s->holes[SESSION_EXIT].id = RIG_EXIT;
+    expect_near(0.92 * 30e-3, vbss_session_wind_radius(s, &seen, RIG_LEFT, centre, 20e-3), 1e-9);
+    s->coach.turns[RIG_LEFT] = sign * 1.5;
+    double wound = 6.283185307179586 * 1.3e-3;
+    expect_near(0.92 * (30e-3 - wound), vbss_session_wind_radius(s, &seen, RIG_LEFT, centre, 20e-3),
+                1e-9);
+    s->knot.is_located = true; /* so long a part of the thread is in it */
+    s->knot.end_arcs[SESSION_EXIT] = arc - 40e-3;
+    expect_near(8e-3, vbss_session_wind_radius(s, &seen, RIG_LEFT, centre, 20e-3), SLACK);
+    rig_end(&p.r);
+}
+
 /* ---- SNAP_ROLL */
 
 #define EIGHTH 0.78539816339744831
@@ -463,6 +492,7 @@ int test_assistance(void)
         cmocka_unit_test(arc_needs_a_needle),
         cmocka_unit_test(winding_keeps_its_radius),
         cmocka_unit_test(winding_comes_to_its_limits),
+        cmocka_unit_test(winding_keeps_the_thread_nearly_taut),
         cmocka_unit_test(roll_snaps_to_steps),
         cmocka_unit_test(time_goes_slower),
         cmocka_unit_test(hands_that_sink_keep_their_height),

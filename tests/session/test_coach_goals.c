@@ -87,6 +87,14 @@ static void throw_goals_follow_the_thread(void **state)
     rig_hold_thread(&r, RIG_LEFT, 4e-3);
     run(&r);
     rig_expect_goal(&r, VBSS_SESSION_GOAL_DRAW_TAIL, VBSS_METRICS_TOOL_LEFT);
+    const double arc = r.observation.holes[0].arc;
+    rig_thread_through(&r, RIG_ENTRY, arc - 20e-3); /* drawing makes it long */
+    rig_wind(&r, RIG_LEFT, 0.5, 1);
+    run(&r);
+    assert_int_equal(r.s->phase, VBSS_SESSION_PHASE_PULL_THROUGH);
+    rig_expect_goal(&r, VBSS_SESSION_GOAL_DRAW_TAIL, VBSS_METRICS_TOOL_LEFT);
+    rig_thread_through(&r, RIG_ENTRY, arc);
+    run(&r);
     rig_wind(&r, RIG_LEFT, 0.1, 0);
     rig_set_throw(&r, 0, 2, -1, VBSS_METRICS_RELATION_FIRST);
     rig_pull(&r, 0.3, 2e-3);

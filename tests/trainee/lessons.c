@@ -1,19 +1,9 @@
 #include "trainee/trainee.h"
 
 #include <math.h>
-#include <stdio.h>
 
 #define ABOVE 12e-3    /* m, above the thing to take */
 #define IN_BLADES 3e-3 /* m, from their tip to the thread */
-
-static void say(const trainee *t, const char *what)
-{
-    if (t->verbose) {
-        const sight *s = trainee_see(t);
-        printf("  %6.2f s %s: %s [%.1f mm, %.2f rad]\n", t->live.time, what, s->coach.sentence,
-               1e3 * s->coach.distance, s->coach.angle);
-    }
-}
 
 /* The coach gives the place; how the jaws have to be rolled he does not say, so they are tried. */
 void lesson_take_needle(trainee *t)
@@ -23,14 +13,14 @@ void lesson_take_needle(trainee *t)
     for (int i = 0; i < 8; i++) {
         const sight now = *trainee_see(t), *s = &now;
         vec at = v_load(s->coach.point);
-        say(t, "over it");
+        trainee_say(t, "over it");
         if (s->coach.goal != VBSS_SESSION_GOAL_TAKE_NEEDLE || !trainee_jaws(t, RIGHT, false) ||
             !trainee_roll(t, RIGHT, rolls[i % 4]) ||
             !trainee_go(t, RIGHT, v_add(at, v3(0.0, 0.0, ABOVE)), 1e-3) ||
             !trainee_go(t, RIGHT, at, 0.5e-3) || !trainee_jaws(t, RIGHT, true)) {
             break;
         }
-        say(t, "closed");
+        trainee_say(t, "closed");
         if (trainee_see(t)->has_needle[RIGHT]) {
             break;
         }
@@ -48,7 +38,7 @@ static bool bring_tip(trainee *t)
         const sight now = *trainee_see(t), *s = &now;
         vec to =
             v_sub(v_along(v_load(s->coach.point), -0.8e-3, v_load(s->coach.direction)), s->needle);
-        say(t, "to the mark");
+        trainee_say(t, "to the mark");
         if (v_length(to) < 0.35e-3) {
             return true;
         }
@@ -71,7 +61,7 @@ static bool turn_square(trainee *t)
         sign = now > before ? -sign : sign;
         before = now;
     }
-    say(t, "turned");
+    trainee_say(t, "turned");
     return true;
 }
 
@@ -86,7 +76,7 @@ void lesson_pass_mark(trainee *t)
         vec in = v_load(s->coach.direction);
         vec aside = v_sub(v_load(s->coach.point), s->needle);
         aside = v_along(aside, -v_dot(aside, in), in);
-        say(t, "push");
+        trainee_say(t, "push");
         if (s->coach.goal != VBSS_SESSION_GOAL_PIERCE &&
             s->coach.goal != VBSS_SESSION_GOAL_REACH_MARK) {
             break;
@@ -99,7 +89,7 @@ void lesson_pass_mark(trainee *t)
         return;
     }
     for (int i = 0; i < 20 && trainee_move(t, RIGHT, v3(-2e-3, 0.0, 0.0)); i++) {
-        say(t, "drive");
+        trainee_say(t, "drive");
     }
 }
 
@@ -112,7 +102,7 @@ void lesson_cut(trainee *t)
         int side = s->coach.tool == VBSS_METRICS_TOOL_LEFT ? LEFT : RIGHT;
         vec at = v_load(s->coach.point);
         bool good = true;
-        say(t, "cut");
+        trainee_say(t, "cut");
         if (s->coach.goal == VBSS_SESSION_GOAL_TAKE_SHEARS) {
             good = trainee_jaws(t, side, false) &&
                    trainee_go(t, side, v3(side == LEFT ? -0.06 : 0.06, -0.01, 0.06), 5e-3) &&

@@ -1,4 +1,4 @@
-/* A scripted trainee does exercises with a mouse: trainee EXERCISE STARTS [SEEDS [FIRST]] [-v]. Prints the
+/* A scripted trainee does exercises with a mouse: trainee EXERCISE STARTS [SEEDS [FIRST [LOG]]] [-v]. Prints the
  * outcome of each try, and ends with 0 if all were passed. */
 #include <stdio.h>
 #include <stdlib.h>
@@ -10,12 +10,12 @@
 #include "trainee/trainee.h"
 
 static bool attempt(trainee *t, vbss_session_exercise exercise, const start_states *states,
-                    uint64_t seed, bool verbose)
+                    uint64_t seed, const char *log, bool verbose)
 {
     vbss_session_exercise_state e;
     vbss_session_measure m;
     char words[PRACTICE_LINE];
-    if (trainee_begin(t, exercise, states, seed, NULL) != VBSS_OK) {
+    if (trainee_begin(t, exercise, states, seed, log) != VBSS_OK) {
         fprintf(stderr, "trainee: the exercise cannot begin\n");
         return false;
     }
@@ -26,6 +26,11 @@ static bool attempt(trainee *t, vbss_session_exercise exercise, const start_stat
         break;
     case VBSS_SESSION_EXERCISE_PASS_MARK:
         lesson_pass_mark(t);
+        break;
+    case VBSS_SESSION_EXERCISE_SINGLE_THROW:
+    case VBSS_SESSION_EXERCISE_DOUBLE_THROW:
+    case VBSS_SESSION_EXERCISE_SQUARE_THROW:
+        lesson_throw(t);
         break;
     default:
         lesson_cut(t);
@@ -62,14 +67,14 @@ int main(int count, char **words)
         count > 2 ? practice_named(words[1]) : VBSS_SESSION_EXERCISE_NONE;
     if (exercise == VBSS_SESSION_EXERCISE_NONE ||
         !starts_read(&states, words[2], why, sizeof why)) {
-        fprintf(stderr, "trainee EXERCISE STARTS [SEEDS [FIRST]] [-v]\n");
+        fprintf(stderr, "trainee EXERCISE STARTS [SEEDS [FIRST [LOG]]] [-v]\n");
         return 2;
     }
     unsigned long seeds = count > 3 ? strtoul(words[3], NULL, 10) : 1,
                   first = count > 4 ? strtoul(words[4], NULL, 10) : 0;
     unsigned long passed = 0;
     for (unsigned long i = 0; i < seeds; i++) {
-        passed += attempt(&t, exercise, &states, first + i, verbose);
+        passed += attempt(&t, exercise, &states, first + i, count > 5 ? words[5] : NULL, verbose);
     }
     printf("%s: %lu of %lu passed\n", words[1], passed, seeds);
     starts_free(&states);

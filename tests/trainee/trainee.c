@@ -6,6 +6,7 @@
 
 #define FRAME 0.016
 #define SEES 0.2e-3    /* m: error of the view, standard deviation */
+#define SHADE 0.2      /* error of a tension that is read from a colour, share */
 #define SPEED 0.10     /* m/s, of a movement in the middle */
 #define SHORTEST 0.3   /* s, of a movement */
 #define NOTCH_ROLL 0.1 /* rad */
@@ -14,18 +15,18 @@ enum { STEPS = 16, MAX_MOVEMENTS = 12 };
 
 /* ---- chance */
 
-static double chance(trainee *t)
+static double normal_of(uint64_t *random)
 {
-    return hand_chance(&t->random);
+    double sum = -6.0;
+    for (int i = 0; i < 12; i++) {
+        sum += hand_chance(random);
+    }
+    return sum;
 }
 
 static double normal(trainee *t)
 {
-    double sum = -6.0;
-    for (int i = 0; i < 12; i++) {
-        sum += chance(t);
-    }
-    return sum;
+    return normal_of(&t->random);
 }
 
 static vec error_of(trainee *t, double size)
@@ -39,6 +40,7 @@ static void observe(trainee *t)
 {
     sight *s = &t->past[t->frames % (TRAINEE_DELAY + 1)];
     vbss_needle_state needle;
+    vbss_session_status status;
     const stitch *of = t->live.stage.tasked;
     memset(s, 0, sizeof *s);
     for (int side = 0; side < SIDES; side++) {
@@ -50,6 +52,10 @@ static void observe(trainee *t)
         s->has_needle[side] = tool.needle != 0;
         s->holds[side] = tool.needle != 0 || tool.grasp_count > 0 || tool.drain != 0;
         s->shears[side] = tool.kind == VBSS_GRASPER_KIND_SHEARS;
+    }
+    (void)vbss_session_get_status(t->live.stage.task.session, &status, sizeof status);
+    for (int i = 0; i < 2; i++) {
+        s->tension[i] = status.tension[i] * (1.0 + SHADE * normal_of(&t->shades));
     }
     (void)vbss_needle_get_state(of->site.needle, &needle, sizeof needle);
     s->needle = v_add(v_load(needle.tip), error_of(t, SEES));
@@ -66,6 +72,19 @@ bool trainee_has_ended(const trainee *t, vbss_session_exercise_state *state)
 {
     return vbss_session_get_exercise(t->live.stage.task.session, state, sizeof *state) == VBSS_OK &&
            state->outcome != VBSS_SESSION_OUTCOME_NONE;
+}
+
+void trainee_say(const trainee *t, const char *what)
+{
+    const vbss_session_coaching *c = &trainee_see(t)->coach;
+    if (t->verbose) {
+        printf("  %6.2f s %s: %s [%.1f mm, %.2f rad, %.2f turns, %.2f N, %.2f mm; pulls %.2f, %.2f "
+               "N] %s\n",
+               t->live.time, what, c->sentence, 1e3 * c->distance, c->angle, c->turns, c->force,
+               1e3 * c->length, trainee_see(t)->tension[0], trainee_see(t)->tension[1],
+               c->mistake_sentence);
+        fflush(stdout);
+    }
 }
 
 /* ---- time */
@@ -154,6 +173,48 @@ bool trainee_roll(trainee *t, int side, double angle)
     return trainee_finish_motion(t);
 }
 
+#define TURN_SPEED 1.5 /* rad/s, on average */
+#define TURNED 0.995   /* cosine */
+
+/* The turn about an axis in the plane of the picture that takes one direction to the other: a mouse turns no tool about the line of
+ * sight. */
+static vec turn_between(const vbss_mapping_config *c, vec from, vec to)
+{
+    vec away = v_cross(v_load(c->up), v_load(c->right)), axis = v_cross(away, v_sub(to, from));
+    if (v_length(axis) < 1e-6) {
+        return v3(0.0, 0.0, 0.0);
+    }
+    axis = v_unit(axis);
+    vec a = v_along(from, -v_dot(from, axis), axis), b = v_along(to, -v_dot(to, axis), axis);
+    return v_scale(atan2(v_dot(axis, v_cross(a, b)), v_dot(a, b)), axis);
+}
+
+bool trainee_turn(trainee *t, int side, vec to)
+{
+    mouse_hand *m = &t->live.hands[side];
+    vec right = v_load(m->mapping.right), up = v_load(m->mapping.up);
+    t->live.active = side;
+    for (int i = 0; i < 6; i++) {
+        vec now = trainee_see(t)->jaws[side], by = turn_between(&m->mapping, now, to);
+        if (v_dot(now, to) > TURNED) {
+            return true;
+        }
+        by = v_scale(1.0 + t->noise * normal(t), by);
+        int frames = (int)ceil(fmax(SHORTEST, v_length(by) / TURN_SPEED) / FRAME);
+        for (int k = 0; k < frames; k++) {
+            mouse_hand_move(m, true, v_dot(by, up) / m->mapping.mouse_radians / frames,
+                            -v_dot(by, right) / m->mapping.mouse_radians / frames, 0.0);
+            if (!trainee_wait(t, 1)) {
+                return false;
+            }
+        }
+        if (!trainee_finish_motion(t)) {
+            return false;
+        }
+    }
+    return true;
+}
+
 /* Angle between the direction and the plane across the opening, about the jaws' axis. */
 static double off_across(const trainee *t, int side, vec direction)
 {
@@ -201,6 +262,7 @@ vbss_result trainee_begin(trainee *t, vbss_session_exercise exercise, const star
 {
     memset(t, 0, sizeof *t);
     t->random = seed * 7919 + 17;
+    t->shades = seed * 104729 + 29;
     t->noise = 0.06;
     TRY(live_create_exercise(&t->live, exercise, states, NULL, log));
     const live_scene *scene = t->live.scene;

@@ -1,7 +1,7 @@
 /* A trainee with a mouse, as a program. Both hands are those of the viewer's window (examples/viewer/live.h), moved by counts of
  * the mouse, notches of the wheel and keys alone. It sees, 200 ms late and with errors, the tips of the tools and of the needle, the
- * caption of the jaws, and the coach. It moves as people do: one movement at a time, each planned from the view after the one
- * before, with an error that grows with its length. */
+ * colours of the thread, the caption of the jaws, and the coach. It moves as people do: one movement at a time, each planned from
+ * the view after the one before, with an error that grows with its length. */
 #ifndef VBSS_TESTS_TRAINEE_TRAINEE_H
 #define VBSS_TESTS_TRAINEE_TRAINEE_H
 
@@ -17,15 +17,17 @@ typedef struct sight {
     bool holds[SIDES];      /* the needle, or the thread, as the caption says */
     bool has_needle[SIDES];
     bool shears[SIDES];
+    double tension[2]; /* N, of tail and limb, as their colours show it */
     vbss_session_coaching coach;
 } sight;
 
 typedef struct trainee {
     live live;
-    uint64_t random;
+    uint64_t random, shades; /* of movements and places; of colours */
     sight past[TRAINEE_DELAY + 1];
     uint64_t frames;
     double noise; /* share of the length of a movement; 0.05 is usual */
+    double home;  /* m: x of the slit before it was pulled at */
     bool verbose;
 } trainee;
 
@@ -43,11 +45,15 @@ bool trainee_move(trainee *t, int side, vec by);
 /* Movements until the tip is seen within `near` of the place, 12 at most. */
 bool trainee_go(trainee *t, int side, vec to, double near);
 bool trainee_roll(trainee *t, int side, double angle);
+/* Turns the jaws until they point in the direction. */
+bool trainee_turn(trainee *t, int side, vec to);
 /* Rolls the jaws until they open square to the direction. */
 bool trainee_roll_across(trainee *t, int side, vec direction);
 bool trainee_jaws(trainee *t, int side, bool closes);
 bool trainee_aid(trainee *t, uint32_t aid);
 bool trainee_exchange(trainee *t, int side);
+/* Prints what it does and sees, if it shall. */
+void trainee_say(const trainee *t, const char *what);
 bool trainee_has_ended(const trainee *t, vbss_session_exercise_state *state);
 
 /* ---- lessons.c: each exercise, by the words of the coach */
@@ -55,5 +61,7 @@ bool trainee_has_ended(const trainee *t, vbss_session_exercise_state *state);
 void lesson_take_needle(trainee *t);
 void lesson_pass_mark(trainee *t);
 void lesson_cut(trainee *t);
+/* throws.c */
+void lesson_throw(trainee *t);
 
 #endif

@@ -146,6 +146,29 @@ static void last_axis_rolls_tool_about_its_axis(void **state)
     assert_int_equal(vbss_context_destroy(r.context), VBSS_OK);
 }
 
+/* Without it a mouse stops at the edge of the tools' space; while the mouse moves freely, the tool stays. */
+static void centred_hand_has_no_edge(void **state)
+{
+    (void)state;
+    rig r;
+    double travel = 0.0;
+    set_up(&r);
+    for (int i = 0; i < 4; i++) {
+        mouse_hand_move(&r.hand, false, 1000.0, 0.0, 0.0);
+        for (int k = 0; k < 1000; k++) {
+            mouse_hand_centre(&r.hand);
+            run(&r, 1000 * i + k, 1);
+            travel += r.hand.in.position[0];
+        }
+    }
+    assert_true(fabs(travel - 4000.0 * r.hand.mapping.mouse_metres) < 1e-6);
+    assert_int_equal(mouse_hand_clutch(&r.hand, true), VBSS_OK);
+    const double before = r.hand.in.position[0];
+    mouse_hand_centre(&r.hand);
+    assert_true(r.hand.in.position[0] == before);
+    assert_int_equal(vbss_context_destroy(r.context), VBSS_OK);
+}
+
 int test_pad(void)
 {
     const struct CMUnitTest tests[] = {
@@ -155,6 +178,7 @@ int test_pad(void)
         cmocka_unit_test(press_before_connect_is_ignored),
         cmocka_unit_test(full_stick_moves_at_mapping_speed),
         cmocka_unit_test(last_axis_rolls_tool_about_its_axis),
+        cmocka_unit_test(centred_hand_has_no_edge),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,0 +1,205 @@
+/* Throws, by the words of the coach. What the coach does not say is how tools are held and where the hand without the goal goes;
+ * the guide "By mouse" does. */
+#include "trainee/trainee.h"
+
+#include <math.h>
+
+#define BESIDE \
+    32e-3 /* m, of the needle from the tool that it is to be wound about: on the near side, */
+#define BELOW 12e-3   /* and lower */
+#define BEHIND 10e-3  /* behind that tool's tip */
+#define ABOVE 15e-3   /* over the tail */
+#define TOGETHER 8e-3 /* of one hand before the other follows */
+#define STRIDE 60e-3  /* of the mouse when it winds */
+#define DRAWN 3e-3    /* of the tail at a time */
+#define TAUT 1.5e-3   /* of the limb at a time while both ends are taut, */
+#define SLACK 6e-3    /* and while one is slack: it misses */
+#define SLACKER 0.88  /* more of the force */
+#define FAR 0.15      /* from the slit, to where the hands pull */
+#define LOW 20e-3     /* of the tail below the slit, 70 mm from it */
+#define OFF 1.5e-3    /* of the slit from its place */
+#define HARD 1.0      /* N, of an end */
+#define UNLIKE 1.5    /* times the other end's tension */
+#define HALF_TURN 3.14159265358979
+
+static bool is_goal(const trainee *t, vbss_session_goal goal)
+{
+    return trainee_see(t)->coach.goal == goal;
+}
+
+static vec point_of(const trainee *t)
+{
+    return v_load(trainee_see(t)->coach.point);
+}
+
+/* Of x, on the hand's own side. */
+static double side_of(int side)
+{
+    return side == LEFT ? -1.0 : 1.0;
+}
+
+/* Both hands by the same displacement, in turns. */
+static bool go_together(trainee *t, int first, vec by)
+{
+    int parts = (int)ceil(v_length(by) / TOGETHER);
+    for (int i = 0; i < parts; i++) {
+        vec part = v_scale(1.0 / parts, by);
+        if (!trainee_move(t, first, part) || !trainee_move(t, 1 - first, part)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/* The tools point at each other, the needle is on the near side and low, and the other tool goes over the limb to its place. */
+static bool take_places(trainee *t, int limb)
+{
+    int loop = 1 - limb;
+    vec inward = v3(-side_of(loop), 0.0, 0.0);
+    if (!trainee_jaws(t, loop, true) || !trainee_turn(t, limb, v_scale(-1.0, inward))) {
+        return false;
+    }
+    vec at = point_of(t), under = v_along(v_add(at, v3(0.0, -BESIDE, -BELOW)), -BEHIND, inward);
+    bool good = trainee_go(t, limb, under, 3e-3) && trainee_turn(t, loop, inward) &&
+                trainee_go(t, loop, v_along(at, -40e-3, inward), 6e-3) &&
+                trainee_go(t, loop, at, 2e-3) && trainee_go(t, limb, under, 3e-3);
+    trainee_say(t, "in place");
+    return good;
+}
+
+/* The mouse goes on to the left, from the first mark to the second. */
+static bool wind(trainee *t, int limb)
+{
+    bool good = trainee_aid(t, VBSS_SESSION_AID_WIND);
+    for (int i = 0; i < 40 && good && is_goal(t, VBSS_SESSION_GOAL_WIND); i++) {
+        const vbss_session_coaching *c = &trainee_see(t)->coach;
+        double left = fmin(fmax(c->arc_angle * c->arc_radius, 10e-3), STRIDE);
+        good = trainee_move(t, limb, v3(-left, 0.0, 0.0));
+        trainee_say(t, "wound");
+    }
+    return good && trainee_aid(t, VBSS_SESSION_AID_WIND);
+}
+
+/* The needle goes along, so that the turns stay. */
+static bool go_over_tail(trainee *t, int loop)
+{
+    vec down = v_unit(v3(-0.6 * side_of(loop), 0.1, -0.8));
+    vec above = v_along(point_of(t), -ABOVE, down);
+    return go_together(t, loop, v_sub(above, trainee_see(t)->tip[loop])) &&
+           trainee_turn(t, loop, down) && trainee_jaws(t, loop, false) &&
+           trainee_roll_across(t, loop, v_load(trainee_see(t)->coach.direction));
+}
+
+static bool go_along_jaws(trainee *t, int loop, double beyond, double near)
+{
+    return trainee_go(t, loop, v_along(point_of(t), beyond, trainee_see(t)->jaws[loop]), near);
+}
+
+static bool take_tail(trainee *t, int loop)
+{
+    for (int i = 0; i < 5 && is_goal(t, VBSS_SESSION_GOAL_TAKE_TAIL); i++) {
+        bool good = go_over_tail(t, loop) && go_along_jaws(t, loop, -6e-3, 1e-3) &&
+                    go_along_jaws(t, loop, 2e-3, 0.6e-3) && trainee_jaws(t, loop, true);
+        trainee_say(t, "closed on the tail");
+        if (!good || trainee_see(t)->holds[loop]) {
+            return good;
+        }
+        if (!trainee_jaws(t, loop, false)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/* The limb is slack over the slit, and the tail goes over it to its own side; past
+ * the slit the jaws point inward. */
+static bool draw_tail(trainee *t, int loop)
+{
+    double side = side_of(loop);
+    bool turned = false;
+    vec slit = point_of(t), over = v_add(slit, v3(-15e-3 * side, 10e-3, 30e-3));
+    if (!trainee_go(t, 1 - loop, over, 5e-3)) {
+        return false;
+    }
+    vec arm = v_sub(trainee_see(t)->tip[loop], slit);
+    double radius = sqrt(arm.x * arm.x + arm.z * arm.z), angle = atan2(arm.z, side * arm.x);
+    angle += angle < -0.5 * HALF_TURN ? 2.0 * HALF_TURN : 0.0;
+    for (int i = 0; i < 40 && is_goal(t, VBSS_SESSION_GOAL_DRAW_TAIL); i++) {
+        if (!turned && angle < 0.5 * HALF_TURN) {
+            turned =
+                trainee_turn(t, loop, v3(-side, 0.0, 0.0)); /* or the last turn hangs on them */
+        }
+        radius += angle > 0.0 ? 0.0 : DRAWN;
+        angle -= angle > 0.0 ? DRAWN / radius : 0.0;
+        vec to = v_add(slit, v3(side * radius * cos(angle), 0.0, radius * sin(angle)));
+        if (!trainee_move(t, loop, v_sub(to, trainee_see(t)->tip[loop]))) {
+            return false;
+        }
+        trainee_say(t, "drawn");
+    }
+    return true;
+}
+
+/* Which hand rests: that of the end that bears much more, as its colour shows, or the one to whose side the slit has gone. */
+typedef struct pull_plan {
+    bool limb_rests, tail_rests;
+} pull_plan;
+
+static pull_plan choose_pull(const trainee *t, double off)
+{
+    const double *n = trainee_see(t)->tension;
+    bool limb = n[1] > HARD && n[1] > UNLIKE * n[0], tail = n[0] > HARD && n[0] > UNLIKE * n[1];
+    return limb || tail ? (pull_plan){limb, tail} : (pull_plan){off<-OFF, off> OFF};
+}
+
+/* One hand after the other pulls, the tail half as far. */
+static bool seat(trainee *t, int loop, double home)
+{
+    double side = side_of(loop);
+    for (int i = 0; i < 60 && is_goal(t, VBSS_SESSION_GOAL_SEAT); i++) {
+        const vbss_session_coaching c = trainee_see(t)->coach;
+        vec slit = v_load(c.point);
+        pull_plan p = choose_pull(t, c.force > 0.0 ? side * (slit.x - home) : 0.0);
+        double step = c.force > SLACKER * c.pull_force ? SLACK : TAUT;
+        vec limb = v_add(slit, v3(-side * FAR, 0.0, 7e-3)),
+            tail = v_add(slit, v3(side * FAR, 0.0, -LOW * FAR / 70e-3));
+        limb = v_scale(step, v_unit(v_sub(limb, trainee_see(t)->tip[1 - loop])));
+        tail = v_scale(0.5 * step, v_unit(v_sub(tail, trainee_see(t)->tip[loop])));
+        if ((!p.limb_rests && !trainee_move(t, 1 - loop, limb)) ||
+            (!p.tail_rests && !trainee_move(t, loop, tail))) {
+            return false;
+        }
+        trainee_say(t, p.tail_rests   ? "pulled the limb"
+                       : p.limb_rests ? "pulled the tail"
+                                      : "pulled");
+    }
+    return true;
+}
+
+void lesson_throw(trainee *t)
+{
+    (void)trainee_finish_motion(t);
+    for (int i = 0; i < 30; i++) {
+        const vbss_session_coaching *c = &trainee_see(t)->coach;
+        int actor = c->tool == VBSS_METRICS_TOOL_LEFT ? LEFT : RIGHT;
+        bool good = true;
+        trainee_say(t, "throw");
+        if (is_goal(t, VBSS_SESSION_GOAL_WIND)) {
+            good = take_places(t, actor) && wind(t, actor);
+        } else if (is_goal(t, VBSS_SESSION_GOAL_TAKE_TAIL)) {
+            good = take_tail(t, actor);
+        } else if (is_goal(t, VBSS_SESSION_GOAL_DRAW_TAIL)) {
+            t->home = point_of(t).x;
+            good = draw_tail(t, actor);
+        } else if (is_goal(t, VBSS_SESSION_GOAL_SEAT)) {
+            good = seat(t, actor, t->home);
+        } else if (is_goal(t, VBSS_SESSION_GOAL_RELEASE_TAIL)) {
+            good = trainee_jaws(t, actor, false);
+        } else {
+            return;
+        }
+        if (!good) {
+            return;
+        }
+    }
+}
