@@ -197,10 +197,11 @@ namespace VblastSs
         /// </summary>
         Arc = 1,
         /// <summary>
-        /// A hand that holds the needle goes round the jaws of the other tool. Movement along the
-        /// direction winds in the sense that the next throw needs. The radius stays, between 8 mm
-        /// and 45 mm. Turns of the hand turn the tool as without the aid. Acts in the phases of
-        /// throws.
+        /// A hand that holds the needle takes the needle's end with the thread round the jaws of
+        /// the other tool. Movement along the direction winds in the sense that the next throw
+        /// needs. The radius, between 8 mm and 45 mm, is 0.92 of the one at which the thread is
+        /// taut, or stays if there is no stitch. With a coach it allows for the turns on the jaws.
+        /// Turns of the hand turn the tool as without the aid. Acts in the phases of throws.
         /// </summary>
         Wind = 2,
         /// <summary>

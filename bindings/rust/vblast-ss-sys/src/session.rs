@@ -165,9 +165,11 @@ pub const VBSS_SESSION_EXERCISE_COUNT: vbss_session_exercise = 7;
 /// Movement along the direction drives the tip forward by the same length of arc. Turns of the hand
 /// are ignored. Acts before the first throw.
 pub const VBSS_SESSION_AID_ARC: u32 = 1;
-/// A hand that holds the needle goes round the jaws of the other tool. Movement along the
-/// direction winds in the sense that the next throw needs. The radius stays, between 8 mm and
-/// 45 mm. Turns of the hand turn the tool as without the aid. Acts in the phases of throws.
+/// A hand that holds the needle takes the needle's end with the thread round the jaws of the other
+/// tool. Movement along the direction winds in the sense that the next throw needs. The radius,
+/// between 8 mm and 45 mm, is 0.92 of the one at which the thread is taut, or stays if there is no
+/// stitch. With a coach it allows for the turns on the jaws. Turns of the hand turn the tool
+/// as without the aid. Acts in the phases of throws.
 pub const VBSS_SESSION_AID_WIND: u32 = 2;
 /// The roll of each tool about its shaft is the nearest multiple of `roll_step` from the roll in
 /// which the jaws open along the slit.
