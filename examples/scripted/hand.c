@@ -40,10 +40,7 @@ vbss_result scripted_add_hand(vbss_context *context, vbss_scene *scene, scripted
     config.grip_friction = 1.0;
     config.needle_torque = 0.2;
     config.shaft_radius = shaft > 0.0 ? shaft : config.shaft_radius;
-    const vec3 tip = hand->tip;
-    hand->tip = vec3_zero();
     pose_store(scripted_tool(hand, centre), position, orientation);
-    hand->tip = tip;
     VBSS_TRY(vbss_grasper_create(context, &config, &hand->tool));
     VBSS_TRY(vbss_grasper_set_target(hand->tool, position, orientation));
     VBSS_TRY(vbss_grasper_set_opening(hand->tool, SCRIPTED_OPENING));
