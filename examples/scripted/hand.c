@@ -19,14 +19,13 @@ pose scripted_needle(vec3 centre, double turned)
 pose scripted_tool(const scripted_hand *hand, vec3 centre)
 {
     const quat radial = turn_about_z(hand->angle);
-    vec3 at = quat_rotate(radial, vec3_make(SCRIPTED_RADIUS, 0.0, 0.0));
-    at = vec3_add(at, vec3_add(centre, vec3_make(0.0, 0.0, -hand->side * beyond)));
+    const vec3 needle = vec3_add(centre, quat_rotate(radial, vec3_make(SCRIPTED_RADIUS, 0.0, 0.0)));
     const quat half = hand->side > 0.0 ? quat_identity() : quat_make(0.0, 1.0, 0.0, 0.0);
-    quat turn = quat_mul(radial, half);
-    if (hand->lean != 0.0) {
-        turn = quat_mul(turn, vbss_quat_from_rotation_vector(vec3_make(0.0, hand->lean, 0.0)));
-    }
-    return pose_make(vec3_add(at, hand->tip), turn);
+    const quat leaning = vbss_quat_from_rotation_vector(vec3_make(0.0, hand->lean, 0.0));
+    const quat turn = quat_mul(quat_mul(radial, half), leaning);
+    const vec3 tip =
+        vec3_add_scaled(needle, hand->back - beyond, quat_rotate(turn, vec3_make(0.0, 0.0, 1.0)));
+    return pose_make(vec3_add(tip, hand->tip), turn);
 }
 
 vbss_result scripted_add_hand(vbss_context *context, vbss_scene *scene, scripted_hand *hand,

@@ -19,6 +19,7 @@ typedef struct scripted_hand {
     double angle; /* of the jaws about the circle's axis, rad */
     double lean;  /* of the shaft from the circle's axis, away from the centre, rad */
     vec3 tip;     /* displacement from the needle, m */
+    double back;  /* further displacement, along the shaft, m */
 } scripted_hand;
 
 /* Pose of the needle with its tip at an angle on a circle in a plane of constant z. Angles begin at +x. */

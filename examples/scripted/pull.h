@@ -16,7 +16,7 @@ typedef struct scripted_pull {
 
 /* Takes a node where it is. */
 vbss_result scripted_take(scripted_pull *p, vbss_thread *thread, uint32_t node, double stiffness);
-/* Moves the hand by at most `distance` toward the goal; slower near the wanted force, and back beyond it. */
+/* Moves the hand by `distance` or less toward the goal: slower near the wanted force, and back beyond it. */
 vbss_result scripted_pull_toward(scripted_pull *p, vbss_thread *thread, vec3 goal, double wanted,
                                  double distance);
 vbss_result scripted_release(scripted_pull *p, vbss_thread *thread);
