@@ -5,10 +5,10 @@
 
 #include "base/error.h"
 
-static const double tight[2] = {0.6, 0.8} /* N: of the stitch, of the suture */,
+static const double tight[2] = {0.8, 1.0} /* N: of the stitch, of the suture */,
                     speed = 40e-3 /* m/s, of a hand that pulls */, arm = 50.0 /* N/m */;
 static const double stump = 25e-3;    /* m of thread that stays at the needle */
-static const double followed = 32e-3; /* m of thread from the skin to the assistant */
+static const double followed = 25e-3; /* m of thread from the skin to the assistant */
 enum { BESIDE_NEEDLE = 4 };           /* segment whose tension the second hand feels */
 
 pad_suture *pad_current(pad *p)
@@ -42,18 +42,18 @@ static vbss_result pull_tail(pad *p)
     if (p->tail.attachment == 0) {
         VBSS_TRY(scripted_take(&p->tail, s->thread, s->segments, arm));
     }
-    const vec3 goal = vec3_make(10e-3, 50e-3, pad_place(1) - 50e-3);
+    const vec3 goal = vec3_make(45e-3, 30e-3, pad_place(1) - 35e-3);
     return scripted_pull_toward(&p->tail, s->thread, goal, tight[1], speed * PAD_STEP);
 }
 
-/* Above the incision, as if for a knot. */
+/* Each over the incision, as a throw would lead them. */
 static vbss_result pull_ends(pad *p)
 {
     pad_suture *s = &p->sutures[0];
     for (int i = 0; i < 2; i++) {
         scripted_pull *end = &p->ends[i];
-        const double side = i == 0 ? 1.0 : -1.0;
-        const vec3 goal = vec3_make(side * 4e-3, 70e-3, pad_place(0) - 40e-3);
+        const double side = i == 0 ? -1.0 : 1.0; /* the needle's end leaves the right lip */
+        const vec3 goal = vec3_make(side * 45e-3, 30e-3, pad_place(0) - 30e-3);
         if (end->attachment == 0) {
             vbss_view x;
             VBSS_TRY(vbss_thread_get_view(s->thread, VBSS_THREAD_VIEW_POSITIONS, &x, sizeof x));
@@ -101,11 +101,11 @@ static vbss_result follow(pad *p)
         const uint32_t node = (uint32_t)(along / s->length * s->segments + 0.5);
         VBSS_TRY(scripted_take(&p->assistant, s->thread, node, arm));
     }
-    if (p->phase == PAD_DRAW && p->assistant.attachment != 0) {
+    if (p->phase >= PAD_TURN && p->assistant.attachment != 0) {
         return scripted_release(&p->assistant, s->thread);
     }
     if (p->assistant.attachment != 0) {
-        const vec3 goal = vec3_make(-10e-3, 45e-3, pad_place(p->bite - 1) - 45e-3);
+        const vec3 goal = vec3_make(-30e-3, 30e-3, pad_place(p->bite - 1) - 30e-3);
         return scripted_pull_toward(&p->assistant, s->thread, goal, tight[1], speed * PAD_STEP);
     }
     return VBSS_OK;
@@ -131,7 +131,9 @@ static vbss_result advance(pad *p, bool *is_done)
 {
     while (p->since >= pad_phase_time(p->bite, p->phase) - 0.5 * PAD_STEP && !*is_done) {
         p->since = 0.0;
-        if (p->phase + 1 < PAD_PHASES) {
+        if (p->phase == PAD_TURN && p->punctures != 2 * (p->bite + 1)) {
+            *is_done = true; /* the needle has missed a lip */
+        } else if (p->phase + 1 < PAD_PHASES) {
             p->pulled = p->phase == PAD_OFFER ? 0.0 : p->pulled;
             p->phase = (pad_phase)(p->phase + 1);
         } else if (p->bite + 1 < PAD_BITES) {

@@ -32,7 +32,7 @@ static void print_holes(const pad_report *r)
         printf("%4u  %-7s %+5.1f mm %+6.1f mm %4.0f deg     %6.3f N     %6.3f N   %5.2f  %5.2f\n",
                i + 1, h->suture == 0 ? "stitch" : "running", 1e3 * h->place.x, 1e3 * h->place.z,
                h->angle / SCRIPTED_DEGREE, h->tension[0], h->tension[1], high / low,
-               vbss_exp(PAD_FRICTION * h->angle));
+               vbss_exp(PAD_SKIN_FRICTION * h->angle));
     }
 }
 
@@ -59,6 +59,7 @@ static void print_outcome(const pad *p, const pad_outcome *out)
            "the holes: %u\n",
            p->punctures, r->hole_count, p->others, out->crossings);
     printf("%" PRIu64 " steps; hash %016" PRIx64 "\n", out->steps, out->hash);
+    fflush(stdout); /* the replay takes as long again */
 }
 
 /* ---- judgement */
@@ -71,12 +72,12 @@ static bool check(bool good, const char *what)
     return good;
 }
 
-/* A hole holds back no more than a rope on a post would, and what a slack thread has. */
+/* A hole and the skin beside it hold back no more than a post would, and what a slack thread has. */
 static bool is_within_capstan(const pad_hole *h)
 {
     const double high = fmax(h->tension[0], h->tension[1]),
                  low = fmin(h->tension[0], h->tension[1]);
-    return high <= 1.05 * vbss_exp(PAD_FRICTION * h->angle) * low + slack;
+    return high <= 1.05 * vbss_exp(PAD_SKIN_FRICTION * h->angle) * low + slack;
 }
 
 static bool judge(const pad *p, const pad_outcome *out)
@@ -91,7 +92,8 @@ static bool judge(const pad *p, const pad_outcome *out)
             check(r->gap[i] < closed * out->begin.gap[i], "a bite has not closed its gap") && good;
     }
     for (uint32_t i = 0; i < r->hole_count; i++) {
-        good = check(is_within_capstan(&r->holes[i]), "friction of a hole beyond the capstan's") &&
+        good = check(is_within_capstan(&r->holes[i]),
+                     "friction of a hole beyond the capstan's bound") &&
                good;
     }
     return check(out->painted, "no pictures") && good;

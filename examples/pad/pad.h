@@ -13,7 +13,8 @@
 
 #define PAD_STEP 1e-3 /* s */
 #define PAD_THREAD_RADIUS 0.125e-3
-#define PAD_FRICTION 0.15 /* coefficient, of a thread in a hole */
+#define PAD_FRICTION 0.15     /* coefficient, of a thread in a hole */
+#define PAD_SKIN_FRICTION 0.3 /* of a thread on the skin */
 
 enum {
     PAD_COLUMNS = 6, /* of nodes, from the incision to the clamped border */

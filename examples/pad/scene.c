@@ -8,7 +8,7 @@ static const double thickness = 2e-3 /* m */, young = 0.2e6 /* Pa */, poisson = 
 /* Of the tissue below the skin, as springs to where it is at rest: a layer of 10 mm with a modulus of 40 kPa. */
 static const double foundation = 4e6 /* N/m^3 */;
 static const double segment = 0.9e-3 /* m, of a thread */, shaft = 1.5e-3 /* m, of a tool */;
-static const double lengths[PAD_THREADS] = {125e-3, 171e-3};
+static const double lengths[PAD_THREADS] = {125e-3, 183e-3};
 
 /* ---- skin */
 
@@ -75,6 +75,7 @@ static vbss_result add_skin(pad *p)
     config.puncture_force = 0.35;
     config.hole_force = 0.1;
     config.hole_friction = PAD_FRICTION;
+    config.friction = PAD_SKIN_FRICTION;
     VBSS_TRY(vbss_drain_create(p->context, &config, &p->skin));
     VBSS_TRY(support_skin(p));
     return vbss_scene_add_drain(p->scene, p->skin, &p->skin_body);

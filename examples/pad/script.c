@@ -12,9 +12,9 @@ static const double behind[2] = {175.0 * SCRIPTED_DEGREE,
                                  12.0 * SCRIPTED_DEGREE}; /* the tip: the jaws */
 static const double lean = 20.0 * SCRIPTED_DEGREE /* of the shafts */, retreat = 30e-3 /* m */;
 /* To where the needle is drawn from the circle, m; its direction. */
-static const double draw[PAD_BITES] = {68e-3, 104e-3, 72e-3, 42e-3};
+static const double draw[PAD_BITES] = {68e-3, 114e-3, 82e-3, 52e-3};
 /* The stitch away from where the suture begins. */
-static const double draw_directions[2][3] = {{-0.2, 0.85, -0.49}, {-0.25, 0.93, 0.27}};
+static const double draw_directions[2][3] = {{-0.45, 0.75, -0.49}, {-0.6, 0.75, 0.28}};
 
 enum {
     FIRST_OFFERED = 2 /* bite whose needle comes from the one before; others have a fresh one */
@@ -23,21 +23,21 @@ enum {
 static const struct {
     const char *name;
     double seconds;
-} phases[PAD_PHASES] = {{"bring the needle over the next bite", 1.0},
-                        {"come beside the needle", 0.5},
-                        {"take the needle", 0.3},
-                        {"give it", 0.25},
-                        {"go aside", 0.5},
-                        {"lower the needle", 0.7},
-                        {"drive it through both lips", 1.6},
-                        {"come round", 0.5},
-                        {"reach for the tip", 0.4},
-                        {"take the tip", 0.3},
-                        {"let go", 0.25},
-                        {"leave", 0.5},
-                        {"turn the needle out", 1.6},
-                        {"draw the thread", 1.6},
-                        {"pull it tight", 1.3}};
+} phases[PAD_PHASES] = {{"bring the needle over the next bite", 0.8},
+                        {"come beside the needle", 0.4},
+                        {"take the needle", 0.2},
+                        {"give it", 0.15},
+                        {"go aside", 0.4},
+                        {"lower the needle", 0.5},
+                        {"drive it through both lips", 1.3},
+                        {"come round", 0.4},
+                        {"reach for the tip", 0.3},
+                        {"take the tip", 0.2},
+                        {"let go", 0.15},
+                        {"leave", 0.4},
+                        {"turn the needle out", 1.3},
+                        {"draw the thread", 1.3},
+                        {"pull it tight", 1.0}};
 
 const char *pad_phase_name(pad_phase phase)
 {
