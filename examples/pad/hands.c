@@ -6,7 +6,7 @@
 #include "base/error.h"
 
 static const double tight[2] = {0.8, 1.0} /* N: of the stitch, of the suture */,
-                    speed = 40e-3 /* m/s, of a hand that pulls */, arm = 50.0 /* N/m */;
+                    speed = 60e-3 /* m/s, of a hand that pulls */, arm = 50.0 /* N/m */;
 static const double stump = 25e-3;    /* m of thread that stays at the needle */
 static const double followed = 25e-3; /* m of thread from the skin to the assistant */
 enum { BESIDE_NEEDLE = 4 };           /* segment whose tension the second hand feels */

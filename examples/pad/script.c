@@ -14,7 +14,8 @@ static const double lean = 20.0 * SCRIPTED_DEGREE /* of the shafts */, retreat =
 /* To where the needle is drawn from the circle, m; its direction. */
 static const double draw[PAD_BITES] = {68e-3, 114e-3, 82e-3, 52e-3};
 /* The stitch away from where the suture begins. */
-static const double draw_directions[2][3] = {{-0.45, 0.75, -0.49}, {-0.6, 0.75, 0.28}};
+static const double draw_directions[2][3] = {{-0.2, 0.85, -0.49}, {-0.25, 0.93, 0.27}},
+                    tighten_direction[3] = {-0.85, 0.1, 0.3}; /* then across the incision */
 
 enum {
     FIRST_OFFERED = 2 /* bite whose needle comes from the one before; others have a fresh one */
@@ -37,7 +38,7 @@ static const struct {
                         {"leave", 0.4},
                         {"turn the needle out", 1.3},
                         {"draw the thread", 1.3},
-                        {"pull it tight", 1.0}};
+                        {"pull it tight", 1.5}};
 
 const char *pad_phase_name(pad_phase phase)
 {
@@ -86,8 +87,9 @@ static vec3 over_site(uint32_t bite)
 
 static vec3 drawn(const pad *p, uint32_t bite, double part)
 {
-    const double distance = part * draw[bite] + p->pulled;
-    return vec3_add_scaled(site(bite), distance, vec3_load(draw_directions[bite > 0]));
+    const vec3 at =
+        vec3_add_scaled(site(bite), part * draw[bite], vec3_load(draw_directions[bite > 0]));
+    return vec3_add_scaled(at, p->pulled, vec3_load(tighten_direction));
 }
 
 vec3 pad_needle_centre(const pad *p)
