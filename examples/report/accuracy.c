@@ -111,7 +111,9 @@ void page_accuracy(page *p, const facts *f)
             "</p>\n");
     } else {
         put(p, "<p class=\"absent\">Deviations from the marks: not known, as %s.</p>\n",
-            a->count > 0 ? "no wall was entered"
+            a->count > 0 && f->counts[VBSS_SCENE_EVENT_PUNCTURE] > 0
+                ? "the walls of this scene have no marks"
+            : a->count > 0 ? "no wall was entered"
             : f->counts[VBSS_SCENE_EVENT_PUNCTURE] > 0
                 ? "the log holds when walls were entered and not where, and was not played back"
                 : "no wall was entered in this log");

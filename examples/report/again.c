@@ -19,7 +19,7 @@ static vbss_result play(facts *f, stage *s)
     vbss_replay *replay;
     TRY(stage_create(s, f->info.note, f->info.note_bytes));
     TRY(vbss_replay_create(s->context, f->bytes, f->count, &replay));
-    TRY(vbss_replay_begin(replay, s->scene));
+    TRY(stage_begin(s, replay, f->tools));
     TRY(stage_follow_task(s, replay));
     TRY(facts_observe_begin(f, s));
     for (;;) {

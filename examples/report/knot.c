@@ -97,8 +97,10 @@ void page_knot(page *p, const facts *f)
     const again *a = &f->again;
     put(p, "<section aria-labelledby=\"knot\"><h2 id=\"knot\">Knot</h2>\n");
     if (a->reading_count == 0) {
-        put(p, "<p class=\"absent\">Not known: the log does not hold the thread, and it was not "
-               "played back.</p></section>\n");
+        put(p, "<p class=\"absent\">%s</p></section>\n",
+            a->count > 0
+                ? "No knot is judged in this scene."
+                : "Not known: the log does not hold the thread, and it was not played back.");
         return;
     }
     const reading *last = &a->readings[a->reading_count - 1], *proved = facts_certified(f);

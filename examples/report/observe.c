@@ -25,6 +25,9 @@ static vbss_result feel(const facts *f, const stage *s, again_step *step)
 {
     for (int k = 0; k < SIDES; k++) {
         vbss_grasper_state state;
+        if (s->graspers[k] == NULL) {
+            continue;
+        }
         TRY(vbss_grasper_get_state(s->graspers[k], &state, sizeof state));
         for (int side = 0; side < SIDES; side++) {
             if (f->tools[side] == state.body) {
@@ -118,7 +121,7 @@ static void take_back(again *a, uint32_t id, double time)
 /* Those of the step that was made last. */
 static vbss_result observe_events(again *a, const stage *s, double time)
 {
-    for (uint32_t i = 0; i < s->rig->event_count; i++) {
+    for (uint32_t i = 0; s->rig != NULL && i < s->rig->event_count; i++) {
         const vbss_scene_event *e = &s->rig->events[i];
         if (e->kind == VBSS_SCENE_EVENT_PUNCTURE && s->drain != NULL) {
             TRY(keep_puncture(a, s, e->id, time));
@@ -175,7 +178,7 @@ vbss_result facts_observe_begin(facts *f, stage *s)
     a->name = s->name;
     a->needle = s->needle;
     a->drain = s->drain != NULL;
-    a->knots = true;
+    a->knots = s->rig != NULL;
     a->session.there = a->session.agrees = s->tasked != NULL;
     return a->watch != NULL ? a->watch(a->user, s, 0, 0.0) : VBSS_OK;
 }
@@ -197,13 +200,14 @@ vbss_result facts_observe(facts *f, stage *s, double time, double cpu_time)
     a->time = time;
     TRY(observe_events(a, s, time));
     TRY(a->watch != NULL ? a->watch(a->user, s, a->count, time) : VBSS_OK);
-    return a->count % JUDGED_EVERY == 0 ? read_knot(a, s, false) : VBSS_OK;
+    return a->knots && a->count % JUDGED_EVERY == 0 ? read_knot(a, s, false) : VBSS_OK;
 }
 
 vbss_result facts_observe_end(facts *f, stage *s)
 {
     again *a = &f->again;
-    const bool read = a->reading_count > 0 && a->readings[a->reading_count - 1].step == a->count;
+    const bool read =
+        !a->knots || (a->reading_count > 0 && a->readings[a->reading_count - 1].step == a->count);
     return read ? VBSS_OK : read_knot(a, s, true);
 }
 

@@ -63,11 +63,17 @@ static bool is_exercise(const words *w)
            practice_named(w->kind) != VBSS_SESSION_EXERCISE_NONE;
 }
 
+/* Its bodies are added as it goes on, which a log has all of. */
+static bool is_pad(const words *w)
+{
+    return strcmp(w->program, "pad") == 0 && w->kind[0] == '\0';
+}
+
 bool stage_knows(const void *note, size_t count)
 {
     words w;
     return read_note(note, count, &w) &&
-           (is_throw(&w) || is_stitch(&w) || is_surgeon(&w) || is_exercise(&w));
+           (is_throw(&w) || is_stitch(&w) || is_surgeon(&w) || is_exercise(&w) || is_pad(&w));
 }
 
 /* ---- scenes */
@@ -139,22 +145,41 @@ vbss_result stage_create(stage *s, const void *note, size_t count)
     if (!read_note(note, count, &w)) {
         return VBSS_ERROR_OUT_OF_RANGE;
     }
+    if (is_pad(&w)) {
+        s->name = "a pad of skin that two hands sew (examples/pad)";
+        return vbss_context_create(NULL, &s->context);
+    }
     vbss_result result = is_throw(&w) ? make_throw(s, &w) : make_stitch(s, &w);
     s->context = s->rig->context;
     s->scene = s->rig->scene;
     return result;
 }
 
+vbss_result stage_begin(stage *s, vbss_replay *replay, const uint32_t tools[SIDES])
+{
+    if (s->rig != NULL) {
+        return vbss_replay_begin(replay, s->scene);
+    }
+    TRY(vbss_replay_load_scene(replay, &s->scene));
+    for (int side = 0; side < SIDES; side++) {
+        TRY(tools[side] != 0 ? vbss_scene_get_grasper(s->scene, tools[side], &s->graspers[side])
+                             : VBSS_OK);
+    }
+    return VBSS_OK;
+}
+
 void stage_destroy(stage *s)
 {
     if (s->rig != NULL) {
         throw_rig_destroy(s->rig);
+    } else if (s->context != NULL) {
+        (void)vbss_context_destroy(s->context);
     }
 }
 
 vbss_result stage_follow(stage *s)
 {
-    return throw_rig_follow(s->rig);
+    return s->rig != NULL ? throw_rig_follow(s->rig) : VBSS_OK;
 }
 
 vbss_result stage_follow_task(stage *s, vbss_replay *replay)

@@ -8,7 +8,7 @@
 
 typedef struct stage {
     const char *name;
-    throw_rig *rig; /* whose context all is in */
+    throw_rig *rig; /* whose context all is in; NULL: the scene is loaded from its log */
     vbss_context *context;
     vbss_scene *scene;
     vbss_grasper *graspers[SIDES];
@@ -25,6 +25,8 @@ typedef struct stage {
 /* False: the note names no scene that is known. */
 bool stage_knows(const void *note, size_t count);
 vbss_result stage_create(stage *s, const void *note, size_t count);
+/* The scene before the first step of a log: one that stage_create has made, or else the log's own, with its tools. */
+vbss_result stage_begin(stage *s, vbss_replay *replay, const uint32_t tools[SIDES]);
 /* Of a surgeon at work: what it is of stays the surgeon's, who ends it. */
 void stage_watch(stage *s, stitch *t, const task *k);
 /* After a step: which thread it is now, if it was cut. */

@@ -82,7 +82,8 @@ static void put_knot_card(page *p, const facts *f)
     const again *a = &f->again;
     put(p, "<div class=\"card\"><p class=\"label\">Knot</p><p class=\"big\">");
     if (a->reading_count == 0) {
-        put(p, "unknown</p><p>the log was not played back</p></div>\n");
+        put(p, "unknown</p><p>%s</p></div>\n",
+            a->count > 0 ? "no knot is judged in this scene" : "the log was not played back");
         return;
     }
     const reading *last = &a->readings[a->reading_count - 1], *proved = facts_certified(f);

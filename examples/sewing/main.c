@@ -12,7 +12,7 @@
 #include <string.h>
 
 #include "decimal_point.h"
-#include "painter/painter.h"
+#include "scripted/paint.h"
 #include "sewing.h"
 
 enum { EVERY = 250 /* steps from line to line of the log */ };
@@ -20,28 +20,11 @@ static const double balance = 0.01 /* of the force */, min_pull = 0.25 /* N */;
 
 /* ---- pictures */
 
-static painter_result add_tool(painter *p, const sewing_hand *hand, vbss_scene *scene)
-{
-    vbss_scene_rigid_state state;
-    if (vbss_scene_get_rigid(scene, hand->body, &state, sizeof state) != VBSS_OK) {
-        return PAINTER_ERROR_NULL;
-    }
-    const quat turn = quat_make(state.orientation[0], state.orientation[1], state.orientation[2],
-                                state.orientation[3]);
-    const vec3 tip = vec3_load(state.position);
-    const vec3 ends[2] = {tip, vec3_add(tip, quat_rotate(turn, vec3_make(0.0, 0.0, 13e-3)))};
-    return painter_add_chain(p, &ends[0].x, 2, 0, 0.5e-3, PAINTER_STEEL, NULL);
-}
-
 static painter_result paint(painter *p, const sewing *s, const char *text)
 {
-    vbss_view surface, thread, needle;
+    vbss_view surface;
     if (vbss_scene_get_surface_view(s->scene, s->surface, VBSS_SCENE_SURFACE_VIEW_POSITIONS,
-                                    &surface, sizeof surface) != VBSS_OK ||
-        vbss_thread_get_view(s->thread, VBSS_THREAD_VIEW_POSITIONS, &thread, sizeof thread) !=
-            VBSS_OK ||
-        vbss_needle_get_view(s->needle, VBSS_NEEDLE_VIEW_POINTS, &needle, sizeof needle) !=
-            VBSS_OK) {
+                                    &surface, sizeof surface) != VBSS_OK) {
         return PAINTER_ERROR_NULL;
     }
     const painter_camera camera = {
@@ -50,15 +33,13 @@ static painter_result paint(painter *p, const sewing *s, const char *text)
         painter_add_triangles(p, surface.data, (size_t)surface.count, 0, s->triangles[0],
                               SEWING_TRIANGLES, PAINTER_TISSUE);
     if (result == PAINTER_OK) {
-        result = painter_add_chain(p, thread.data, (size_t)thread.count, 0, 0.125e-3,
-                                   PAINTER_VIOLET, NULL);
+        result = scripted_paint_thread(p, s->thread, 0.125e-3, PAINTER_VIOLET);
     }
     if (result == PAINTER_OK) {
-        result =
-            painter_add_chain(p, needle.data, (size_t)needle.count, 0, 0.3e-3, PAINTER_BLUE, NULL);
+        result = scripted_paint_needle(p, s->needle, 0.3e-3);
     }
     for (int i = 0; i < 2 && result == PAINTER_OK; i++) {
-        result = add_tool(p, &s->hands[i], s->scene);
+        result = scripted_paint_hand(p, s->scene, &s->hands[i], 13e-3);
     }
     if (result == PAINTER_OK) {
         result = painter_set_camera(p, &camera);

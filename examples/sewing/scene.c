@@ -40,10 +40,10 @@ static vbss_result add_surface(sewing *s)
 static vbss_result add_needle(sewing *s)
 {
     vbss_needle_config config = vbss_needle_config_default();
-    const pose at = script_needle(s->turned);
-    config.radius = SCRIPT_RADIUS;
+    const pose at = scripted_needle(SCRIPT_CENTRE, s->turned);
+    config.radius = SCRIPTED_RADIUS;
     config.wire_radius = 0.3e-3;
-    config.arc = SCRIPT_ARC;
+    config.arc = SCRIPTED_ARC;
     config.segment_count = 24;
     pose_store(at, config.position, config.orientation);
     VBSS_TRY(vbss_needle_create(s->context, &config, &s->needle));
@@ -68,23 +68,6 @@ static vbss_result add_thread(sewing *s)
     return vbss_scene_pin_thread(s->scene, s->thread_body, 0, s->needle_body, NULL, &pin);
 }
 
-static vbss_result add_hand(sewing *s, sewing_hand *hand)
-{
-    vbss_grasper_config config = vbss_grasper_config_default();
-    const pose at = script_tool(hand, vec3_zero());
-    config.stiffness = 2000.0;
-    config.damping = 10.0;
-    config.closing_force = 20.0;
-    config.grip_friction = 1.0;
-    config.needle_torque = 0.2;
-    double position[3], orientation[4];
-    pose_store(at, position, orientation);
-    VBSS_TRY(vbss_grasper_create(s->context, &config, &hand->tool));
-    VBSS_TRY(vbss_grasper_set_target(hand->tool, position, orientation));
-    VBSS_TRY(vbss_grasper_set_opening(hand->tool, SCRIPT_OPENING));
-    return vbss_scene_add_grasper(s->scene, hand->tool, &hand->body);
-}
-
 vbss_result sewing_create(vbss_context *context, sewing *s)
 {
     memset(s, 0, sizeof *s);
@@ -103,8 +86,8 @@ vbss_result sewing_create(vbss_context *context, sewing *s)
     VBSS_TRY(add_surface(s));
     VBSS_TRY(add_needle(s));
     VBSS_TRY(add_thread(s));
-    VBSS_TRY(add_hand(s, &s->hands[0]));
-    return add_hand(s, &s->hands[1]);
+    VBSS_TRY(scripted_add_hand(context, s->scene, &s->hands[0], SCRIPT_CENTRE, 0.0));
+    return scripted_add_hand(context, s->scene, &s->hands[1], SCRIPT_CENTRE, 0.0);
 }
 
 void sewing_destroy(sewing *s)

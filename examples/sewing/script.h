@@ -4,15 +4,9 @@
 
 #include "sewing.h"
 
-#define SCRIPT_DEGREE 0.017453292519943295 /* rad */
-#define SCRIPT_RADIUS 8e-3                 /* of the needle's arc, m */
-#define SCRIPT_ARC (200.0 * SCRIPT_DEGREE)
-#define SCRIPT_OPENING 0.35 /* of jaws beside the needle, 0 to 1 */
+/* Of the needle's circle, whose angles go in the sense of its path: down at the left, up at the right. */
+#define SCRIPT_CENTRE vec3_make(0.0, 4e-3, 0.0)
 
-/* Pose of the needle with its tip at an angle on the circle. */
-pose script_needle(double turned);
-/* Pose of a tool whose jaws hold the needle at their angle; `away`: from there, m. */
-pose script_tool(const sewing_hand *hand, vec3 away);
 /* Where hands and needle begin. */
 void script_begin(sewing *s);
 

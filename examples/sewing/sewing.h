@@ -8,6 +8,8 @@
 
 #include "base/linear.h"
 #include "host_tissue/fem.h"
+#include "scripted/hand.h"
+#include "scripted/pull.h"
 
 #define SEWING_STEP 1e-3 /* s */
 enum {
@@ -18,15 +20,6 @@ enum {
     SEWING_TRIANGLES = 2 * SEWING_CELLS_X * SEWING_CELLS_Z
 };
 
-/* A hand with its tool. Tools come along z, and hold the needle across its arc. */
-typedef struct sewing_hand {
-    vbss_grasper *tool;
-    uint32_t body;
-    double side;  /* of the needle from which its shaft comes: 1 for +z, -1 for -z */
-    double angle; /* about the circle's axis, where the jaws are, rad */
-    vec3 tip;     /* m */
-} sewing_hand;
-
 /* y points up. The surface is at y = 0; the needle goes round a circle in the plane z = 0. */
 typedef struct sewing {
     vbss_context *context;
@@ -36,11 +29,9 @@ typedef struct sewing {
     vbss_thread *thread;
     uint32_t surface, needle_body, thread_body, segments;
     uint32_t triangles[SEWING_TRIANGLES][3];
-    sewing_hand hands[2]; /* drives the needle; takes it over */
-    double turned;        /* angle of the needle's tip on the circle, rad */
-    vec3 drawn;    /* where the second hand has drawn the needle, from its place on the circle, m */
-    uint32_t tail; /* attachment of the tail of the thread; 0: it is free */
-    vec3 tail_target;           /* m */
+    scripted_hand hands[2];     /* drives the needle; takes it over */
+    double turned;              /* angle of the needle's tip on the circle, rad */
+    scripted_pull tail;         /* of the thread */
     double time;                /* s */
     uint32_t punctures, passed; /* events so far */
 } sewing;

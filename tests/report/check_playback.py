@@ -4,6 +4,7 @@
     check_playback.py VBSS_REPORT THROW begin              the begin of a throw, cut off and whole
     check_playback.py VBSS_REPORT THROW whole PASS_NEEDLE  a throw and a stitch
     check_playback.py VBSS_REPORT SURGEON session          a stitch with its session
+    check_playback.py VBSS_REPORT LOG pad                  a log of examples/pad
 """
 import pathlib
 import re
@@ -107,6 +108,17 @@ def check_session(folder):
     report(TOOL, log, path, 2)
 
 
+def check_pad(folder):
+    """No program makes this scene for the report: it is loaded from the log, bodies that come later too."""
+    path = folder / "pad.html"
+    report(TOOL, THROW, path, 0)
+    page = Page(path)
+    assert "Played back to the same bits" in page.text() and "examples/pad" in page.text()
+    assert "No knot is judged in this scene" in page.text()
+    for side in ("left", "right"):
+        assert float(page.rows("largest of all, " + side)[0][0]) > 0.1, "a hand that drives a needle feels it"
+
+
 def main():
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
@@ -114,6 +126,8 @@ def main():
             check_begin(folder)
         elif PART == "session":
             check_session(folder)
+        elif PART == "pad":
+            check_pad(folder)
         else:
             check_throw(folder)
             check_stitch(folder, sys.argv[4])

@@ -1,0 +1,194 @@
+/* A step: the hands go where the script has them, pull as hard as they feel, and the scene follows. */
+#include "pad.h"
+
+#include <math.h>
+
+#include "base/error.h"
+
+static const double tight[2] = {0.8, 1.0} /* N: of the stitch, of the suture */,
+                    speed = 60e-3 /* m/s, of a hand that pulls */, arm = 50.0 /* N/m */;
+static const double stump = 25e-3;    /* m of thread that stays at the needle */
+static const double followed = 25e-3; /* m of thread from the skin to the assistant */
+enum { BESIDE_NEEDLE = 4 };           /* segment whose tension the second hand feels */
+
+pad_suture *pad_current(pad *p)
+{
+    return &p->sutures[p->bite == 0 ? 0 : 1];
+}
+
+/* ---- pulling */
+
+static vbss_result feel(pad *p)
+{
+    const pad_suture *s = pad_current(p);
+    vbss_view tensions;
+    VBSS_TRY(
+        vbss_thread_get_view(s->thread, VBSS_THREAD_VIEW_TENSIONS, &tensions, sizeof tensions));
+    p->tension = s->has_needle ? ((const double *)tensions.data)[BESIDE_NEEDLE] : 0.0;
+    return VBSS_OK;
+}
+
+/* The second hand goes on with the needle until the thread is tight. */
+static void tighten(pad *p)
+{
+    const double lacking = 1.0 - p->tension / tight[1];
+    p->pulled += speed * PAD_STEP * fmax(-1.0, fmin(1.0, 4.0 * lacking));
+}
+
+/* Over the incision and away from it, where the tail would be tied. */
+static vbss_result pull_tail(pad *p)
+{
+    pad_suture *s = &p->sutures[1];
+    if (p->tail.attachment == 0) {
+        VBSS_TRY(scripted_take(&p->tail, s->thread, s->segments, arm));
+    }
+    const vec3 goal = vec3_make(45e-3, 30e-3, pad_place(1) - 35e-3);
+    return scripted_pull_toward(&p->tail, s->thread, goal, tight[1], speed * PAD_STEP);
+}
+
+/* Each over the incision, as a throw would lead them. */
+static vbss_result pull_ends(pad *p)
+{
+    pad_suture *s = &p->sutures[0];
+    for (int i = 0; i < 2; i++) {
+        scripted_pull *end = &p->ends[i];
+        const double side = i == 0 ? -1.0 : 1.0; /* the needle's end leaves the right lip */
+        const vec3 goal = vec3_make(side * 45e-3, 30e-3, pad_place(0) - 30e-3);
+        if (end->attachment == 0) {
+            vbss_view x;
+            VBSS_TRY(vbss_thread_get_view(s->thread, VBSS_THREAD_VIEW_POSITIONS, &x, sizeof x));
+            VBSS_TRY(scripted_take(end, s->thread, i == 0 ? 0 : (uint32_t)x.count - 1, arm));
+        }
+        VBSS_TRY(scripted_pull_toward(end, s->thread, goal, tight[0], speed * PAD_STEP));
+    }
+    return VBSS_OK;
+}
+
+/* The needle of the stitch is cut off, and goes with its end of the thread. */
+static vbss_result cut_needle_off(pad *p)
+{
+    pad_suture *s = &p->sutures[0];
+    const uint32_t end = s->thread_body;
+    VBSS_TRY(vbss_scene_cut_thread(p->scene, end, stump, &s->thread_body));
+    VBSS_TRY(vbss_scene_get_thread(p->scene, s->thread_body, &s->thread));
+    VBSS_TRY(vbss_scene_remove(p->scene, end));
+    VBSS_TRY(vbss_scene_remove(p->scene, s->needle_body));
+    s->has_needle = false;
+    return VBSS_OK;
+}
+
+/* Where the running thread leaves the skin towards its needle: arc length, m. */
+static double last_hole(const pad *p)
+{
+    vbss_scene_hole hole;
+    double first = p->sutures[1].length;
+    for (uint32_t i = 0; vbss_scene_get_hole(p->scene, i, &hole, sizeof hole) == VBSS_OK; i++) {
+        const bool is_of_it = hole.thread == p->sutures[1].thread_body;
+        first = is_of_it && hole.arc_length < first ? hole.arc_length : first;
+    }
+    return first;
+}
+
+/* Between two bites an assistant follows: holds the thread tight behind the last bite, over the finished part. */
+static vbss_result follow(pad *p)
+{
+    pad_suture *s = &p->sutures[1];
+    if (p->bite < 2) {
+        return VBSS_OK;
+    }
+    if (p->phase == PAD_OFFER && p->assistant.attachment == 0) {
+        const double along = last_hole(p) - followed;
+        const uint32_t node = (uint32_t)(along / s->length * s->segments + 0.5);
+        VBSS_TRY(scripted_take(&p->assistant, s->thread, node, arm));
+    }
+    if (p->phase >= PAD_TURN && p->assistant.attachment != 0) {
+        return scripted_release(&p->assistant, s->thread);
+    }
+    if (p->assistant.attachment != 0) {
+        const vec3 goal = vec3_make(-30e-3, 30e-3, pad_place(p->bite - 1) - 30e-3);
+        return scripted_pull_toward(&p->assistant, s->thread, goal, tight[1], speed * PAD_STEP);
+    }
+    return VBSS_OK;
+}
+
+/* ---- phases */
+
+static vbss_result end_bite(pad *p)
+{
+    if (p->bite == 0) {
+        VBSS_TRY(cut_needle_off(p));
+    }
+    p->bite++;
+    p->phase = PAD_OFFER;
+    if (p->bite == 1) {
+        p->pulled = 0.0;
+        VBSS_TRY(pad_add_suture(p, 1, scripted_needle(pad_needle_centre(p), pad_needle_turned(p))));
+    }
+    return VBSS_OK;
+}
+
+static vbss_result advance(pad *p, bool *is_done)
+{
+    while (p->since >= pad_phase_time(p->bite, p->phase) - 0.5 * PAD_STEP && !*is_done) {
+        p->since = 0.0;
+        if (p->phase == PAD_TURN && p->punctures != 2 * (p->bite + 1)) {
+            *is_done = true; /* the needle has missed a lip */
+        } else if (p->phase + 1 < PAD_PHASES) {
+            p->pulled = p->phase == PAD_OFFER ? 0.0 : p->pulled;
+            p->phase = (pad_phase)(p->phase + 1);
+        } else if (p->bite + 1 < PAD_BITES) {
+            VBSS_TRY(end_bite(p));
+        } else {
+            *is_done = true;
+        }
+    }
+    return VBSS_OK;
+}
+
+static vbss_result place_hands(pad *p)
+{
+    for (int i = 0; i < 2; i++) {
+        const vec3 centre = pad_direct_hand(p, i, &p->hands[i]);
+        const double opening = pad_hand_is_open(p, i) ? SCRIPTED_OPENING : 0.0;
+        VBSS_TRY(scripted_place_hand(&p->hands[i], centre, opening));
+    }
+    return VBSS_OK;
+}
+
+static vbss_result count_events(pad *p)
+{
+    vbss_scene_event events[64];
+    uint32_t count = 64;
+    while (count == 64) {
+        VBSS_TRY(vbss_scene_take_events(p->scene, events, sizeof events[0], 64, &count, NULL));
+        for (uint32_t i = 0; i < count; i++) {
+            const vbss_scene_event_kind kind = events[i].kind;
+            p->punctures += kind == VBSS_SCENE_EVENT_PUNCTURE;
+            p->others += kind == VBSS_SCENE_EVENT_WITHDRAWN ||
+                         kind == VBSS_SCENE_EVENT_UNTHREADED || kind == VBSS_SCENE_EVENT_TORN;
+        }
+    }
+    return VBSS_OK;
+}
+
+vbss_result pad_step(pad *p, bool *is_done)
+{
+    *is_done = false;
+    VBSS_TRY(advance(p, is_done));
+    if (*is_done) {
+        return VBSS_OK;
+    }
+    VBSS_TRY(feel(p));
+    if (p->phase == PAD_TIGHTEN && p->bite > 0) {
+        tighten(p);
+    }
+    VBSS_TRY(place_hands(p));
+    VBSS_TRY(p->bite > 0 ? pull_ends(p) : VBSS_OK);
+    VBSS_TRY(p->bite > 1 || (p->bite == 1 && p->phase == PAD_TIGHTEN) ? pull_tail(p) : VBSS_OK);
+    VBSS_TRY(follow(p));
+    VBSS_TRY(vbss_scene_step(p->scene, PAD_STEP));
+    VBSS_TRY(pad_write_log(p));
+    p->since += PAD_STEP;
+    p->time += PAD_STEP;
+    return count_events(p);
+}

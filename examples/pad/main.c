@@ -1,0 +1,158 @@
+/* A pad of skin with an incision: an interrupted stitch and a running suture of three bites.
+ *
+ *     pad [folder for pictures and log [s between frames of a film]]
+ *
+ * The pad is a shell of the library with triangles of its own (vbss_drain_surface), held by clamps at its border and by springs below.
+ * Two scripted hands drive a needle through both lips, draw the thread after it and pull it tight. The ends of the interrupted stitch
+ * are held above the incision in place of a knot; the running suture goes on with a thread of its own. Prints what happens; exits 0 if all
+ * eight holes are there, each bite of the suture has narrowed its gap, nothing passed through the skin but by the holes, and the log replays to the
+ * same hash. */
+#include <inttypes.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "base/elementary.h"
+#include "decimal_point.h"
+#include "pad.h"
+
+static const double narrowed = 0.9 /* of the gap at a bite */,
+                    closed = 0.75 /* of the largest gap */,
+                    slack = 0.03 /* N, of a hole without load */;
+
+/* ---- report */
+
+static void print_holes(const pad_report *r)
+{
+    printf(
+        "hole  thread   x       z     turn   needle's side  tail's side  ratio  capstan bound\n");
+    for (uint32_t i = 0; i < r->hole_count; i++) {
+        const pad_hole *h = &r->holes[i];
+        const double high = fmax(h->tension[0], h->tension[1]),
+                     low = fmin(h->tension[0], h->tension[1]);
+        printf("%4u  %-7s %+5.1f mm %+6.1f mm %4.0f deg     %6.3f N     %6.3f N   %5.2f  %5.2f\n",
+               i + 1, h->suture == 0 ? "stitch" : "running", 1e3 * h->place.x, 1e3 * h->place.z,
+               h->angle / SCRIPTED_DEGREE, h->tension[0], h->tension[1], high / low,
+               vbss_exp(PAD_SKIN_FRICTION * h->angle));
+    }
+}
+
+static void print_outcome(const pad *p, const pad_outcome *out)
+{
+    const pad_report *r = &out->end;
+    print_holes(r);
+    for (uint32_t i = 0; i < PAD_BITES; i++) {
+        printf("bite %u: gap %.2f mm at first, %.2f mm before it was drawn, %.2f mm tight, %.2f mm "
+               "in the end\n",
+               i + 1, 1e3 * out->begin.gap[i], 1e3 * out->widest[i], 1e3 * out->tightened[i],
+               1e3 * r->gap[i]);
+    }
+    printf("lips: largest gap %.2f mm, then %.2f mm; skin %+.2f to %+.2f mm\n",
+           1e3 * out->begin.largest_gap, 1e3 * r->largest_gap, 1e3 * r->lowest, 1e3 * r->highest);
+    for (int side = 0; side < 2; side++) {
+        const vec3 f = r->side_force[side];
+        printf("threads on the %s lip: (%+.3f, %+.3f, %+.3f) N\n", side == 0 ? "left" : "right",
+               f.x, f.y, f.z);
+    }
+    printf("ends of the stitch %.3f and %.3f N; running suture: tail %.3f N, needle %.3f N\n",
+           r->end_force[0], r->end_force[1], r->end_force[2], r->end_force[3]);
+    printf("%u punctures, %u holes in the end, %u withdrawn, unthreaded or torn; crossings beside "
+           "the holes: %u\n",
+           p->punctures, r->hole_count, p->others, out->crossings);
+    printf("%" PRIu64 " steps; hash %016" PRIx64 "\n", out->steps, out->hash);
+    fflush(stdout); /* the replay takes as long again */
+}
+
+/* ---- judgement */
+
+static bool check(bool good, const char *what)
+{
+    if (!good) {
+        fprintf(stderr, "pad: %s\n", what);
+    }
+    return good;
+}
+
+/* A hole and the skin beside it hold back no more than a post would, and what a slack thread has. */
+static bool is_within_capstan(const pad_hole *h)
+{
+    const double high = fmax(h->tension[0], h->tension[1]),
+                 low = fmin(h->tension[0], h->tension[1]);
+    return high <= 1.05 * vbss_exp(PAD_SKIN_FRICTION * h->angle) * low + slack;
+}
+
+static bool judge(const pad *p, const pad_outcome *out)
+{
+    const pad_report *r = &out->end;
+    bool good = check(p->punctures == PAD_MAX_HOLES && r->hole_count == PAD_MAX_HOLES,
+                      "not every bite has its two holes");
+    good = check(p->others == 0, "something left its hole") && good;
+    good = check(out->crossings == 0, "something passed through the skin beside the holes") && good;
+    for (uint32_t i = 1; i < PAD_BITES; i++) {
+        good = check(out->tightened[i] < narrowed * out->begin.gap[i],
+                     "a bite has not narrowed its gap") &&
+               good;
+    }
+    good =
+        check(r->largest_gap < closed * out->begin.largest_gap, "the incision still gapes") && good;
+    for (uint32_t i = 0; i < r->hole_count; i++) {
+        good = check(is_within_capstan(&r->holes[i]),
+                     "friction of a hole beyond the capstan's bound") &&
+               good;
+    }
+    return check(out->painted, "no pictures") && good;
+}
+
+static bool replays(const char *path, const pad_outcome *out)
+{
+    uint64_t steps, hash;
+    const vbss_result result = pad_replay(path, &steps, &hash);
+    printf("replay: %s, %" PRIu64 " steps, hash %016" PRIx64 "\n", vbss_result_name(result), steps,
+           hash);
+    return check(result == VBSS_OK && steps == out->steps && hash == out->hash,
+                 "the log replays to another hash");
+}
+
+/* ---- program */
+
+static int fail(vbss_context *context, vbss_result result)
+{
+    const char *text = "";
+    (void)vbss_context_get_last_error(context, NULL, &text);
+    fprintf(stderr, "%s: %s\n", vbss_result_name(result), text);
+    (void)vbss_context_destroy(context);
+    return 1;
+}
+
+int main(int count, char **words)
+{
+    use_decimal_point();
+    static pad p;
+    static pad_outcome out;
+    char path[512] = "";
+    vbss_context *context;
+    pad_options options = {count > 1 ? words[1] : NULL, count > 2 ? strtod(words[2], NULL) : 0.0};
+    if (count > 3 || vbss_context_create(NULL, &context) != VBSS_OK) {
+        fprintf(stderr, "usage: pad [folder for pictures and log [s between frames of a film]]\n");
+        return 2;
+    }
+    if (options.folder != NULL) {
+        snprintf(path, sizeof path, "%s/pad.vbss", options.folder);
+        p.log = fopen(path, "wb");
+        if (p.log == NULL) {
+            perror(path);
+            return 2;
+        }
+    }
+    vbss_result result = pad_create(context, &p);
+    result = result == VBSS_OK ? pad_run(&p, &options, &out) : result;
+    const bool is_written = p.log == NULL || fclose(p.log) == 0;
+    if (result != VBSS_OK) {
+        return fail(context, result);
+    }
+    print_outcome(&p, &out);
+    bool good = check(is_written, "the log cannot be written") && judge(&p, &out);
+    (void)vbss_context_destroy(context);
+    good = (options.folder == NULL || replays(path, &out)) && good;
+    return good ? 0 : 1;
+}
