@@ -7,7 +7,7 @@
 
 #define LEAD 0.015   /* m: so far ahead of the trainee's tool a ghost's goes */
 #define MOVING 0.002 /* m in AHEAD: a tool that goes less does not lead */
-#define AHEAD 0.5     /* s */
+#define AHEAD 0.5    /* s */
 #define PATIENCE \
     2.0 /* s of waiting: then it goes where its path is nearest to the trainee's tool */
 

@@ -15,7 +15,7 @@ static vbss_result observe_tool(vbss_grasper *grasper, double tip[3], ghost_pose
 }
 
 vbss_result ghost_observe(const stitch *t, vbss_session *session, ghost_seen *seen,
-                       ghost_pose tools[GHOST_SIDES])
+                          ghost_pose tools[GHOST_SIDES])
 {
     vbss_session_status status;
     const pose needle = site_needle(&t->site);

@@ -7,6 +7,6 @@
 
 /* Both tools as they are. */
 vbss_result ghost_observe(const stitch *t, vbss_session *session, ghost_seen *seen,
-                       ghost_pose tools[GHOST_SIDES]);
+                          ghost_pose tools[GHOST_SIDES]);
 
 #endif
