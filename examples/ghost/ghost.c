@@ -228,8 +228,9 @@ vbss_result ghost_step(ghost *g, const ghost_seen *seen, double seconds)
         ghost_again(g);
         align(g, seen);
     } else if (g->source != 0) {
-        for (double left = seconds; left > 0.0; left -= GHOST_INTERVAL) {
-            advance(g, seen, fmin(left, GHOST_INTERVAL));
+        const int parts = (int)ceil(seconds / GHOST_INTERVAL);
+        for (int i = 0; i < parts; i++) {
+            advance(g, seen, seconds / parts);
         }
     }
     return show(g, seconds);

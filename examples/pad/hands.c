@@ -130,13 +130,12 @@ static vbss_result end_bite(pad *p)
 static vbss_result advance(pad *p, bool *is_done)
 {
     while (p->since >= pad_phase_time(p->bite, p->phase) - 0.5 * PAD_STEP && !*is_done) {
+        const bool missed = p->phase == PAD_TURN && p->punctures != 2 * (p->bite + 1); /* a lip */
         p->since = 0.0;
-        if (p->phase == PAD_TURN && p->punctures != 2 * (p->bite + 1)) {
-            *is_done = true; /* the needle has missed a lip */
-        } else if (p->phase + 1 < PAD_PHASES) {
+        if (!missed && p->phase + 1 < PAD_PHASES) {
             p->pulled = p->phase == PAD_OFFER ? 0.0 : p->pulled;
             p->phase = (pad_phase)(p->phase + 1);
-        } else if (p->bite + 1 < PAD_BITES) {
+        } else if (!missed && p->bite + 1 < PAD_BITES) {
             VBSS_TRY(end_bite(p));
         } else {
             *is_done = true;

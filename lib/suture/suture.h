@@ -61,8 +61,8 @@ typedef struct suture_hole {
     uint32_t thread;
     uint32_t wall; /* a drain or host surface */
     uint32_t triangle;
-    double barycentric[3]; /* weights of the triangle's corners */
     bool is_outward;       /* the needle passed through from the inside of the wall */
+    double barycentric[3]; /* weights of the triangle's corners */
     /* arc length of the needle at the hole when it entered, m; below 0 means ahead of the tip */
     double entry_arc;
     /* present arc length at the hole, m; measured from the needle's tip, or the thread's

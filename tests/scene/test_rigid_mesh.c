@@ -416,7 +416,7 @@ static void far_mesh_that_moves_adds_no_pairs_and_one_box_test(void **state)
         small_end(&s);
     }
     assert_int_equal(got[0].guard_pairs, got[1].guard_pairs);
-    assert_true(tested[1] < tested[0] + 20 * 2 * 2 * COLLISION_BVH_WIDTH);
+    assert_true(tested[1] < tested[0] + UINT64_C(80) * COLLISION_BVH_WIDTH);
 }
 
 /* ---- what a host may ask */

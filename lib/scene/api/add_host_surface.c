@@ -55,7 +55,7 @@ static scene_outline outline_of(const vbss_scene_surface_config *c)
 {
     return (scene_outline){.surface = {(const vec3 *)(const void *)c->vertices,
                                        (const uint32_t(*)[3])(const void *)c->triangles,
-                                       c->triangle_count, 0.5 * c->thickness},
+                                       c->triangle_count, 0.5 * c->thickness, false},
                            .is_prescribed = true};
 }
 

@@ -235,7 +235,7 @@ static vbss_result remesh(scene_object *s, scene_body *b, const remesh_input *in
     const vbss_scene_surface_config *c = &input->config;
     const scene_outline outline = {.surface = {m->motion.surface->now,
                                                (const uint32_t(*)[3])m->shape->triangles,
-                                               c->triangle_count, 0.5 * c->thickness},
+                                               c->triangle_count, 0.5 * c->thickness, false},
                                    .number = b->number,
                                    .is_prescribed = true,
                                    .ignores_holes = true};
