@@ -58,8 +58,7 @@ static double approach(double from, double to, double step)
 }
 
 /* A hand off the circle comes to it while it moves. */
-void vbss_session_wind(const session_object *s, session_aided_hand *hand, uint32_t number,
-                       double length)
+void vbss_session_wind(session_object *s, session_aided_hand *hand, uint32_t number, double length)
 {
     uint32_t loop = 1 - number;
     const scene_grasper_info tool = tool_of(s, loop);
@@ -71,13 +70,12 @@ void vbss_session_wind(const session_object *s, session_aided_hand *hand, uint32
     vec3 from = vec3_sub(end, centre);
     double aside = vec3_dot(from, axis), step = fabs(length);
     vec3 arm = vec3_add_scaled(from, -aside, axis);
-    session_observation observed;
-    vbss_session_observe(s, &observed);
-    if (observed.has_lost_body) {
+    vbss_session_observe(s, &s->observation); /* the step does that anew */
+    if (s->observation.has_lost_body) {
         return;
     }
     double radius = vec3_norm(arm);
-    double wanted = vbss_session_wind_radius(s, &observed, loop, centre, radius);
+    double wanted = vbss_session_wind_radius(s, &s->observation, loop, centre, radius);
     arm = vec3_unit_or(arm, vec3_any_normal(axis));
     arm = quat_rotate(vbss_quat_from_rotation_vector(vec3_scale(axis, length / wanted)), arm);
     vec3 place = vec3_add_scaled(centre, approach(radius, wanted, step), arm);

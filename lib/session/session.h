@@ -268,7 +268,7 @@ typedef struct session_object {
     session_exercise exercise; /* used only with config.exercise */
     session_given_input given[SESSION_HANDS];
 
-    /* Rebuilt in each step. */
+    /* Rebuilt in each step; before it by the aid WIND. */
     session_observation observation;
 } session_object;
 
@@ -339,8 +339,7 @@ void vbss_session_assist(session_object *s, uint32_t hand, double h, session_inp
 double vbss_session_wind_radius(const session_object *s, const session_observation *observed,
                                 uint32_t loop, vec3 centre, double radius);
 /* Moves the hand `number`, which holds the needle, round the other tool by an arc of that length, m. */
-void vbss_session_wind(const session_object *s, session_aided_hand *hand, uint32_t number,
-                       double length);
+void vbss_session_wind(session_object *s, session_aided_hand *hand, uint32_t number, double length);
 
 /* ---- device_io.c
  *
