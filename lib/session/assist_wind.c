@@ -38,7 +38,7 @@ static double limb_length(const session_object *s, const session_observation *ob
 }
 
 double vbss_session_wind_radius(const session_object *s, const session_observation *observed,
-                                uint32_t loop, vec3 centre, double radius)
+                                uint32_t loop, vec3 centre, double radius, bool winds)
 {
     double length = limb_length(s, observed);
     if (length < 0.0) {
@@ -48,7 +48,9 @@ double vbss_session_wind_radius(const session_object *s, const session_observati
     double turns = vbss_max(fabs(s->coach.turns[loop]) - 0.5, 0.0);
     double wound = VBSS_TWO_PI * SESSION_WIND_NECK * turns;
     double snug = SESSION_WIND_SNUG * (length - vec3_distance(root, centre) - wound);
-    return vbss_min(vbss_max(snug, SESSION_WIND_RADIUS), SESSION_WIND_MAX_RADIUS);
+    /* A limb that becomes longer comes out of the stitch: a wider circle would draw the tail out. */
+    double limit = winds && turns > 0.5 ? radius : SESSION_WIND_MAX_RADIUS;
+    return vbss_min(vbss_max(vbss_min(snug, limit), SESSION_WIND_RADIUS), SESSION_WIND_MAX_RADIUS);
 }
 
 /* Moves a distance toward `to` by at most `step`. */
@@ -75,7 +77,8 @@ void vbss_session_wind(session_object *s, session_aided_hand *hand, uint32_t num
         return;
     }
     double radius = vec3_norm(arm);
-    double wanted = vbss_session_wind_radius(s, &s->observation, loop, centre, radius);
+    double wanted =
+        vbss_session_wind_radius(s, &s->observation, loop, centre, radius, length > 0.0);
     arm = vec3_unit_or(arm, vec3_any_normal(axis));
     arm = quat_rotate(vbss_quat_from_rotation_vector(vec3_scale(axis, length / wanted)), arm);
     vec3 place = vec3_add_scaled(centre, approach(radius, wanted, step), arm);

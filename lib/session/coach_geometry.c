@@ -289,7 +289,7 @@ static void describe_winding(const session_object *s, const session_observation 
     const scene_needle_info needle = read_needle(s);
     vec3 from = vec3_sub(point_on_needle(&needle, needle.length), centre);
     from = vec3_add_scaled(from, -vec3_dot(from, back), back);
-    double radius = vbss_session_wind_radius(s, observed, loop, centre, vec3_norm(from));
+    double radius = vbss_session_wind_radius(s, observed, loop, centre, vec3_norm(from), false);
     vec3 start = vec3_add_scaled(centre, radius, vec3_unit_or(from, vec3_any_normal(back)));
     c->number = vbss_session_next_throw(s);
     double wanted = vbss_session_wanted_wraps(s) + SESSION_TURNS_BEYOND;

@@ -335,9 +335,10 @@ void vbss_session_assist(session_object *s, uint32_t hand, double h, session_inp
 
 /* ---- assist_wind.c */
 
-/* Radius of the circle on which the thread is nearly taut, m; without a stitch, `radius`; within the limits of WIND. */
+/* Radius of the circle on which the thread is nearly taut, m; without a stitch, `radius`; within the limits of WIND. A hand that
+ * winds on from one turn keeps to `radius` at most. */
 double vbss_session_wind_radius(const session_object *s, const session_observation *observed,
-                                uint32_t loop, vec3 centre, double radius);
+                                uint32_t loop, vec3 centre, double radius, bool winds);
 /* Moves the hand `number`, which holds the needle, round the other tool by an arc of that length, m. */
 void vbss_session_wind(session_object *s, session_aided_hand *hand, uint32_t number, double length);
 

@@ -232,18 +232,28 @@ static void winding_keeps_the_thread_nearly_taut(void **state)
         arc += t.rest_lengths[i];
     }
     const vec3 centre = vec3_add_scaled(t.positions[40], arc - 30e-3, vec3_make(0.0, 0.0, 1.0));
-    expect_near(20e-3, vbss_session_wind_radius(s, &seen, RIG_LEFT, centre, 20e-3), SLACK);
+    expect_near(20e-3, vbss_session_wind_radius(s, &seen, RIG_LEFT, centre, 20e-3, false), SLACK);
     seen.hole_count = 1;
     seen.holes[0] = (session_hole_observation){.id = RIG_EXIT, .thread = seen.thread, .arc = arc};
     s->holes[SESSION_EXIT].id = RIG_EXIT;
-    expect_near(0.92 * 30e-3, vbss_session_wind_radius(s, &seen, RIG_LEFT, centre, 20e-3), 1e-9);
+    expect_near(0.92 * 30e-3, vbss_session_wind_radius(s, &seen, RIG_LEFT, centre, 20e-3, false),
+                1e-9);
     s->coach.turns[RIG_LEFT] = sign * 1.5;
     double wound = 6.283185307179586 * 1.3e-3;
-    expect_near(0.92 * (30e-3 - wound), vbss_session_wind_radius(s, &seen, RIG_LEFT, centre, 20e-3),
-                1e-9);
+    expect_near(0.92 * (30e-3 - wound),
+                vbss_session_wind_radius(s, &seen, RIG_LEFT, centre, 20e-3, false), 1e-9);
+    /* Winding on, the circle does not grow with the limb: that comes out of the stitch. */
+    expect_near(15e-3, vbss_session_wind_radius(s, &seen, RIG_LEFT, centre, 15e-3, true), 1e-9);
+    expect_near(0.92 * (30e-3 - wound),
+                vbss_session_wind_radius(s, &seen, RIG_LEFT, centre, 25e-3, true), 1e-9);
+    s->coach.turns[RIG_LEFT] = sign * 0.9;
+    wound = 6.283185307179586 * 0.4 * 1.3e-3;
+    expect_near(0.92 * (30e-3 - wound),
+                vbss_session_wind_radius(s, &seen, RIG_LEFT, centre, 15e-3, true), 1e-9);
+    s->coach.turns[RIG_LEFT] = sign * 1.5;
     s->knot.is_located = true; /* so long a part of the thread is in it */
     s->knot.end_arcs[SESSION_EXIT] = arc - 40e-3;
-    expect_near(8e-3, vbss_session_wind_radius(s, &seen, RIG_LEFT, centre, 20e-3), SLACK);
+    expect_near(8e-3, vbss_session_wind_radius(s, &seen, RIG_LEFT, centre, 20e-3, false), SLACK);
     rig_end(&p.r);
 }
 
