@@ -347,10 +347,10 @@ def check_exercises(page, folder):
 
 
 def check_ghost(page, folder):
-    """An expert's tools are in the picture, in the next session, too, until they are switched off."""
-    page.click("#choose")
+    """An expert's tools are in the picture, in the next session, too, until they are switched off. The choice of scenes is open."""
     page.click('[data-name="take_needle"]')
-    page.until("suturing.shown.state.exercise && suturing.shown.state.exercise.name === 'take_needle' && suturing.shown.state.steps > 20")
+    page.until("suturing.shown.state.exercise && suturing.shown.state.exercise.name === 'take_needle' && suturing.shown.state.steps > 20 "
+               "&& !suturing.paused")
     assert page.run("suturing.renderer.ghost") == 0
     page.click("#ghost")
     page.until("suturing.renderer.ghost > 0")
