@@ -72,7 +72,7 @@ void vbss_session_wind(session_object *s, session_aided_hand *hand, uint32_t num
     vec3 from = vec3_sub(end, centre);
     double aside = vec3_dot(from, axis), step = fabs(length);
     vec3 arm = vec3_add_scaled(from, -aside, axis);
-    vbss_session_observe(s, &s->observation); /* the step does that anew */
+    vbss_session_observe(s, &s->observation); /* the step does it once more */
     if (s->observation.has_lost_body) {
         return;
     }

@@ -357,8 +357,10 @@ def check_ghost(page, folder):
     page.picture(folder / "ghost.png")
     parts = page.run("[...suturing.renderer.meshes.parts].filter((n, i) => i % 8 === 1 && n === suturing.renderer.ghost).length")
     assert parts == 2, parts
+    page.pass_time(1000)
+    before = page.state()["steps"]
     page.click("#again")
-    page.until("suturing.shown.state.steps < 200 && suturing.renderer.ghost > 0")
+    page.until(f"suturing.shown.state.steps < {before} && suturing.renderer.ghost > 0")
     page.key("keyDown", "g")
     page.until("suturing.renderer.ghost === 0")
     page.key("keyUp", "g")
