@@ -7,7 +7,7 @@
 #include "ghost/gather.h"
 #include "viewer/player.h"
 
-enum { STEPS = 40, SHOWN = 1000 }; /* of a row; of what is printed */
+enum { STEPS = 40, SHOWN = 1000 }; /* from row to row; from one printed time to the next */
 
 static bool gather(ghost_rows *g, player *p)
 {

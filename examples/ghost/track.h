@@ -45,7 +45,7 @@ ghost_pose *ghost_track_add(ghost_track *t);
 void ghost_track_free(ghost_track *t);
 /* False: they are no track. The bytes stay the caller's. */
 bool ghost_track_parse(ghost_track *t, const uint8_t *bytes, size_t count);
-/* False: the file is wrong, or cannot be made; `why` tells what is wrong. */
+/* False: the file is wrong, or cannot be made; `why` names the fault. */
 bool ghost_track_read(ghost_track *t, const char *path, char *why, size_t why_bytes);
 bool ghost_track_write(const ghost_track *t, const char *path, char *why, size_t why_bytes);
 

@@ -123,7 +123,7 @@ static int enter_neighbour(const suture_wall *wall, uint32_t to, int side, sutur
     return entered;
 }
 
-/* A triangle with three anchored nodes is glued to what is below. */
+/* A triangle with three anchored nodes does not tear. */
 static bool stops_tears(const suture_wall *wall, uint32_t triangle)
 {
     const uint32_t *node = wall->triangles[triangle];

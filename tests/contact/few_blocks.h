@@ -160,4 +160,30 @@ static inline vec3 few_law(const contact_constraint *row, vec3 u)
     return vec3_add_scaled(rubbing, pressure, n);
 }
 
+/* The force after a displacement u, by the tangent of the law. */
+static inline vec3 few_force_by_tangent(const contact_linearisation *t, vec3 u)
+{
+    vec3 force = t->force;
+    for (uint32_t d = 0; d < t->count; d++) {
+        force = vec3_add_scaled(force, -t->stiffness[d] * vec3_dot(t->right[d], u), t->left[d]);
+    }
+    return force;
+}
+
+/* Largest distance of the tangent from central differences of the force along the three axes, N/m. */
+static inline double few_slope_error(const contact_constraint *row, const contact_linearisation *t,
+                                     double step)
+{
+    double largest = 0.0;
+    for (int i = 0; i < 3; i++) {
+        const vec3 u = vec3_make(i == 0 ? step : 0.0, i == 1 ? step : 0.0, i == 2 ? step : 0.0);
+        const vec3 slope =
+            vec3_sub(vbss_contact_force(row, u), vbss_contact_force(row, vec3_neg(u)));
+        const vec3 by_tangent =
+            vec3_sub(few_force_by_tangent(t, u), few_force_by_tangent(t, vec3_neg(u)));
+        largest = fmax(largest, vec3_distance(slope, by_tangent) / (2.0 * step));
+    }
+    return largest;
+}
+
 #endif

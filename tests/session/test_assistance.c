@@ -218,7 +218,7 @@ static void winding_comes_to_its_limits(void **state)
     }
 }
 
-/* The circle shrinks with the free length of the thread: from the needle to the wall or the knot, less what is on the jaws. */
+/* The circle shrinks with the free length of the thread. */
 static void winding_keeps_the_thread_nearly_taut(void **state)
 {
     (void)state;
