@@ -22,6 +22,9 @@ static double useful_turns(const session_object *s, uint32_t loop)
     return s->coach.direction[loop] < 0 ? 0.0 : vbss_max(turns, 0.0);
 }
 
+#define UNWINDING_MISTAKES \
+    (1ull << VBSS_SESSION_MISTAKE_TOWARD_HANDLE | 1ull << VBSS_SESSION_MISTAKE_WRONG_SENSE)
+
 static void store_turns(session_object *s, bool grasps, double turns)
 {
     session_coach *c = &s->coach;
@@ -31,7 +34,13 @@ static void store_turns(session_object *s, bool grasps, double turns)
     }
     bool restarts = grasps || s->throw_count != c->throw_count || turns < SESSION_WOUND_TURNS;
     bool keeps = (c->observed & 1ull << VBSS_SESSION_MISTAKE_TURNS_LOST) != 0 && !grasps;
-    c->max_turns = restarts && !keeps ? turns : vbss_max(c->max_turns, turns);
+    if ((c->observed & UNWINDING_MISTAKES) != 0) {
+        c->max_turns = SESSION_TO_BE_UNWOUND;
+    } else if (restarts && !keeps) {
+        c->max_turns = turns;
+    } else if (c->max_turns >= 0.0) {
+        c->max_turns = vbss_max(c->max_turns, turns);
+    }
 }
 
 /* The next step compares its facts with these. */

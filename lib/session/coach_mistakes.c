@@ -107,8 +107,7 @@ static uint64_t observe_grasp(const session_object *s, const mistake_facts *f)
         held && !holds && c->grasped_turns > f->wanted && c->grasped_turns < SESSION_NOT_JUDGED;
     return when(is_tying && is_few && tool->has_tail, BIT(TOO_FEW_TURNS)) |
            when(is_tying && is_on_tail && !tool->has_tail &&
-                    c->grasped_turns >= SESSION_WOUND_TURNS &&
-                    c->grasped_turns < SESSION_NOT_JUDGED,
+                    fabs(f->turns) >= SESSION_WOUND_TURNS && c->grasped_turns < SESSION_NOT_JUDGED,
                 BIT(BIGHT)) |
            from_until(f, BIT(TAIL_DROPPED), is_tying && drops && (f->before & BIT(BIGHT)) == 0,
                       !is_tying || holds || fabs(f->turns) < 0.5);
@@ -142,6 +141,13 @@ static uint64_t observe_throws(const session_object *s, const mistake_facts *f)
                       s->seated_count > c->seated_count || s->throw_count < c->throw_count);
 }
 
+/* Where the other hand gives way, the thread slides through the stitch with little force, and the
+ * throw turns over within half a second. */
+static bool is_drawn_through(const session_object *s)
+{
+    return s->throw_count == 1 && s->tail_length > s->config.tail_high + SESSION_DRAWN_LENGTH;
+}
+
 static uint64_t observe_pull(const session_object *s, const mistake_facts *f)
 {
     const session_observation *o = f->observed;
@@ -149,7 +155,8 @@ static uint64_t observe_pull(const session_object *s, const mistake_facts *f)
     double stronger = vbss_max(o->tension[0], o->tension[1]);
     bool is_seating = s->throw_count > s->seated_count;
     bool is_one_sided =
-        stronger > s->config.seat_force && weaker < SESSION_ONE_SIDED_RATIO * stronger;
+        is_drawn_through(s) ||
+        (stronger > s->config.seat_force && weaker < SESSION_ONE_SIDED_RATIO * stronger);
     return when(is_seating && is_one_sided, BIT(ONE_SIDED)) |
            when(is_seating && stronger < SESSION_SLACK_TENSION, BIT(SLACK)) |
            when(s->throw_count > 0 && o->edge_gap < -SESSION_CROSSED_EDGES, BIT(WALLS_CROSSED)) |
@@ -198,15 +205,16 @@ static uint64_t observe_mistakes(const session_object *s, const session_observat
 
 /* ---- debouncing */
 
-static double dwell_of(vbss_session_mistake mistake)
+static double dwell_of(const session_object *s, vbss_session_mistake mistake)
 {
     switch (mistake) {
+    case VBSS_SESSION_MISTAKE_ONE_SIDED:
+        return is_drawn_through(s) ? SESSION_MISTAKE_DWELL : SESSION_TENSION_DWELL;
     case VBSS_SESSION_MISTAKE_TOWARD_HANDLE:
     case VBSS_SESSION_MISTAKE_WRONG_SENSE:
     case VBSS_SESSION_MISTAKE_TURNS_LOST:
     case VBSS_SESSION_MISTAKE_NEEDLE_DROPPED:
         return SESSION_WINDING_DWELL;
-    case VBSS_SESSION_MISTAKE_ONE_SIDED:
     case VBSS_SESSION_MISTAKE_WALLS_CROSSED:
         return SESSION_TENSION_DWELL;
     case VBSS_SESSION_MISTAKE_SLACK:
@@ -255,7 +263,7 @@ void vbss_session_update_mistakes(session_object *s, const session_observation *
         uint64_t bit = 1ull << m;
         c->since[m] = (changed & bit) != 0 ? s->time : c->since[m];
         double dwell =
-            (now & bit) != 0 ? dwell_of(m) : vbss_min(dwell_of(m), SESSION_WINDING_DWELL);
+            (now & bit) != 0 ? dwell_of(s, m) : vbss_min(dwell_of(s, m), SESSION_WINDING_DWELL);
         if (((now ^ c->open) & bit) == 0 || s->time - c->since[m] < dwell) {
             continue;
         }

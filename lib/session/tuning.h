@@ -93,6 +93,9 @@
 /* An end bears less than this share of the other one: the pull is one-sided.
  * Unit: 1, relative to the tension of the other end. Origin: chosen. Test: session.coach_mistakes. */
 #define SESSION_ONE_SIDED_RATIO VBSS_TUNE(SESSION_ONE_SIDED_RATIO, 0.3)
+/* The tail is so much longer than it may be before the first throw: thread was drawn through the stitch, at one end.
+ * Unit: m, absolute. Origin: chosen: the scripted surgeon's tail is 2 to 12 mm longer then. Test: session.coach_mistakes. */
+#define SESSION_DRAWN_LENGTH VBSS_TUNE(SESSION_DRAWN_LENGTH, 0.015)
 /* Tension below which an end is slack. Unit: N. Origin: chosen. Test: session.coach_mistakes. */
 #define SESSION_SLACK_TENSION VBSS_TUNE(SESSION_SLACK_TENSION, 0.1)
 /* Overlap of the slit's edges beyond which the walls have slipped past each other.

@@ -151,6 +151,31 @@ static void turns_toward_the_handle_are_named(void **state)
     rig_end(&r);
 }
 
+static void turns_that_have_to_be_unwound_are_not_lost(void **state)
+{
+    (void)state;
+    rig r;
+    rig_begin_coached(&r);
+    rig_to_tail(&r);
+    rig_wind(&r, RIG_LEFT, 1.8, -1);
+    run(&r);
+    expect_mistake(&r, VBSS_SESSION_MISTAKE_TOWARD_HANDLE);
+    rig_wind(&r, RIG_LEFT, 1.7, 1); /* seen so while they come off */
+    run(&r);
+    rig_wind(&r, RIG_LEFT, 0.9, 1);
+    run(&r);
+    expect_none(&r);
+    rig_wind(&r, RIG_LEFT, 0.2, 1);
+    run(&r);
+    rig_wind(&r, RIG_LEFT, 1.8, 1);
+    run(&r);
+    expect_none(&r);
+    rig_wind(&r, RIG_LEFT, 1.0, 1); /* these are */
+    run(&r);
+    expect_mistake(&r, VBSS_SESSION_MISTAKE_TURNS_LOST);
+    rig_end(&r);
+}
+
 static void lost_turns_are_wound_again(void **state)
 {
     (void)state;
@@ -209,6 +234,7 @@ static void tail_is_taken_with_its_turns_and_at_its_end(void **state)
     expect_none(&r);
     rig_wind(&r, RIG_LEFT, 2.4, 1);
     run(&r);
+    rig_wind(&r, RIG_LEFT, 2.4, -1); /* jaws that turn to the tail see them run the other way */
     rig_hold_thread(&r, RIG_LEFT, 14e-3);
     run(&r);
     expect_mistake(&r, VBSS_SESSION_MISTAKE_BIGHT);
@@ -338,6 +364,25 @@ static void unequal_and_missing_pull_are_named(void **state)
     rig_end(&r);
 }
 
+static void thread_drawn_through_the_stitch_is_a_pull_at_one_end(void **state)
+{
+    (void)state;
+    rig r;
+    rig_begin_coached(&r);
+    to_tied(&r);
+    r.observation.tension[0] = r.observation.tension[1] = 0.15; /* the other hand gives way */
+    rig_thread_through(&r, RIG_ENTRY, r.observation.thread_length - 34e-3);
+    rig_run(&r, 0.6);
+    expect_none(&r); /* so much a throw draws */
+    rig_thread_through(&r, RIG_ENTRY, r.observation.thread_length - 36e-3);
+    rig_run(&r, 0.15);
+    expect_mistake(&r, VBSS_SESSION_MISTAKE_ONE_SIDED);
+    rig_pull(&r, 1.0, 3e-4);
+    run(&r);
+    expect_none(&r);
+    rig_end(&r);
+}
+
 static void slit_is_watched(void **state)
 {
     (void)state;
@@ -425,6 +470,7 @@ int test_coach_mistakes(void)
         cmocka_unit_test(lost_stitch_is_made_again),
         cmocka_unit_test(tail_must_have_its_length),
         cmocka_unit_test(turns_toward_the_handle_are_named),
+        cmocka_unit_test(turns_that_have_to_be_unwound_are_not_lost),
         cmocka_unit_test(lost_turns_are_wound_again),
         cmocka_unit_test(wrong_sense_is_named_before_it_is_tied),
         cmocka_unit_test(tail_is_taken_with_its_turns_and_at_its_end),
@@ -432,6 +478,7 @@ int test_coach_mistakes(void)
         cmocka_unit_test(throws_are_judged_as_they_are_tied),
         cmocka_unit_test(faults_of_the_knot_are_named),
         cmocka_unit_test(unequal_and_missing_pull_are_named),
+        cmocka_unit_test(thread_drawn_through_the_stitch_is_a_pull_at_one_end),
         cmocka_unit_test(slit_is_watched),
         cmocka_unit_test(failures_stay_named),
         cmocka_unit_test(good_task_has_no_mistake),
