@@ -110,7 +110,8 @@ enum {
     VBSS_SESSION_MISTAKE_TOWARD_HANDLE = 9,
     /** The limb is wound in the sense of the throw before: a granny. Ends: it is unwound. */
     VBSS_SESSION_MISTAKE_WRONG_SENSE = 10,
-    /** Turns came off the jaws before the tail was taken. Ends: they are wound again. */
+    /** Turns came off the jaws before the tail was taken, but for those that had to be unwound. Ends: they are wound
+     * again. */
     VBSS_SESSION_MISTAKE_TURNS_LOST = 11,
     /** The tail was taken with too few turns on the jaws. Ends: it is released, or tied all the
      * same. */
@@ -134,7 +135,8 @@ enum {
     /** The first throw, while it is alone, has capsized into a half hitch, which slides. Ends: it is flat
      * again. */
     VBSS_SESSION_MISTAKE_CAPSIZED = 20,
-    /** One end of an unseated throw is pulled and the other is not. Ends: both or neither are. */
+    /** One end of an unseated throw is pulled and the other is not, or gives way, so that the tail of the first throw
+     * becomes 15 mm longer than `tail_high`. Ends: both or neither are, or the throw is seated. */
     VBSS_SESSION_MISTAKE_ONE_SIDED = 21,
     /** A throw has been tied for 5 s, and both of its ends are slack. Ends: both ends are tense, or the
      * throw is seated. */
@@ -143,7 +145,8 @@ enum {
     VBSS_SESSION_MISTAKE_SLIT_OPENED = 23,
     /** The walls of the slit have slipped past each other. Ends: they meet again. */
     VBSS_SESSION_MISTAKE_WALLS_CROSSED = 24,
-    VBSS_SESSION_MISTAKE_DRAIN_TEARING = 25, /**< Anchors of the drain are torn. Does not end. */
+    /** An anchor of the drain bears more than 0.8 of its strength. Ends: it bears less. */
+    VBSS_SESSION_MISTAKE_DRAIN_TEARING = 25,
     /** The tension of the thread exceeds 6 N. Ends: it falls below. */
     VBSS_SESSION_MISTAKE_PULLED_HARD = 26,
     /** A throw is tied, and the needle has not changed hands before. Ends: it comes undone. */

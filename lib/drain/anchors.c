@@ -26,15 +26,15 @@ vec3 vbss_drain_anchor_force(const drain_object *d, uint32_t anchor, const vec3 
 void vbss_drain_tear_anchor(drain_object *d, const vec3 *forces)
 {
     uint32_t worst = UINT32_MAX;
-    double max_load = 1.0;
+    d->anchor_load = 0.0;
     for (uint32_t i = 0; i < d->mesh.anchor_count; i++) {
         double load = vec3_norm(vbss_drain_anchor_force(d, i, forces)) / d->anchor_strength[i];
-        if (load > max_load) {
-            max_load = load;
+        if (load > d->anchor_load) {
+            d->anchor_load = load;
             worst = i;
         }
     }
-    if (worst != UINT32_MAX) {
+    if (d->anchor_load > 1.0) {
         d->torn[worst] = 1;
         d->statistics.torn++;
         d->is_sparsity_valid = false;

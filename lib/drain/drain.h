@@ -89,6 +89,7 @@ struct drain_object {
     vbss_shell_group *groups;
     double *mass;            /* per node, kg */
     double *anchor_strength; /* per anchor, N */
+    double anchor_load; /* the largest of the last step, relative to the strength of its anchor */
     drain_elimination_order order;
 
     /* state */

@@ -154,14 +154,13 @@ static uint64_t observe_pull(const session_object *s, const mistake_facts *f)
     double weaker = vbss_min(o->tension[0], o->tension[1]);
     double stronger = vbss_max(o->tension[0], o->tension[1]);
     bool is_seating = s->throw_count > s->seated_count;
-    bool is_one_sided =
-        is_drawn_through(s) ||
-        (stronger > s->config.seat_force && weaker < SESSION_ONE_SIDED_RATIO * stronger);
+    bool is_one_sided = is_drawn_through(s) || (stronger > s->config.seat_force &&
+                                                weaker < SESSION_ONE_SIDED_RATIO * stronger);
     return when(is_seating && is_one_sided, BIT(ONE_SIDED)) |
            when(is_seating && stronger < SESSION_SLACK_TENSION, BIT(SLACK)) |
            when(s->throw_count > 0 && o->edge_gap < -SESSION_CROSSED_EDGES, BIT(WALLS_CROSSED)) |
            when(o->max_tension > SESSION_HARD_PULL, BIT(PULLED_HARD)) |
-           when(o->torn_fraction > 0.0, BIT(DRAIN_TEARING));
+           when(o->anchor_load > SESSION_ANCHOR_LOAD, BIT(DRAIN_TEARING));
 }
 
 static uint64_t observe_failure(const session_object *s)
@@ -223,6 +222,7 @@ static double dwell_of(const session_object *s, vbss_session_mistake mistake)
     case VBSS_SESSION_MISTAKE_BIGHT:
     case VBSS_SESSION_MISTAKE_TAIL_DROPPED:
     case VBSS_SESSION_MISTAKE_TAIL_SHORT:
+    case VBSS_SESSION_MISTAKE_DRAIN_TEARING:
     case VBSS_SESSION_MISTAKE_PULLED_HARD:
         return SESSION_MISTAKE_DWELL;
     default:
@@ -282,7 +282,6 @@ bool vbss_session_is_mendable(const session_object *s, vbss_session_mistake mist
     bool is_unseated = s->throw_count > s->seated_count;
     switch (mistake) {
     case VBSS_SESSION_MISTAKE_NONE:
-    case VBSS_SESSION_MISTAKE_DRAIN_TEARING:
     case VBSS_SESSION_MISTAKE_TRANSFER_MISSED:
         return false;
     case VBSS_SESSION_MISTAKE_ENTRY_MISSED:

@@ -141,7 +141,7 @@ static const struct {
                                           "Pull both ends once more, and keep them tense."},
     [VBSS_SESSION_MISTAKE_WALLS_CROSSED] = {"The walls of the slit have slipped past each other.",
                                             "Pull less hard, until the edges meet again."},
-    [VBSS_SESSION_MISTAKE_DRAIN_TEARING] = {"The drain is tearing off its base.",
+    [VBSS_SESSION_MISTAKE_DRAIN_TEARING] = {"You are tearing the drain off its base.",
                                             "Pull less hard, or it comes off and the task fails."},
     [VBSS_SESSION_MISTAKE_PULLED_HARD] = {"You pull harder than any knot needs.", "Ease off."},
     [VBSS_SESSION_MISTAKE_TRANSFER_MISSED] = {"The needle has not changed hands before this "

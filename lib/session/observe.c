@@ -197,6 +197,7 @@ static void observe_drain(const session_object *s, const session_bodies *b,
     }
     observed->torn_fraction =
         d->anchor_count > 0 ? (double)d->torn_anchor_count / (double)d->anchor_count : 0.0;
+    observed->anchor_load = d->anchor_load;
     observed->drain_radius = d->radius;
     observed->into_tissue =
         vec3_sub(d->centre, vec3_lerp(observed->lips[0], observed->lips[1], 0.5));

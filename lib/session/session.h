@@ -102,11 +102,12 @@ typedef struct session_observation {
     /* Gap of the slit, m: in its middle, the largest along it, and in its middle with a sign, which
      * is negative if the edges have crossed. config.gap_measure says between what. */
     double gap, max_gap, signed_gap;
-    double edge_gap; /* between the edges in the middle, with a sign, by any measure, m */
-    vec3 lips[2];    /* the points that the gap in the middle is between, left and right */
-    double torn_fraction,
-        drain_radius; /* share of torn anchors of the drain; radius of its tube, m */
-    vec3 into_tissue; /* from the slit to the centre of the drain, m */
+    double edge_gap;      /* between the edges in the middle, with a sign, by any measure, m */
+    vec3 lips[2];         /* the points that the gap in the middle is between, left and right */
+    double torn_fraction; /* share of torn anchors of the drain */
+    double anchor_load;   /* the largest, relative to the strength of its anchor */
+    double drain_radius;  /* radius of its tube, m */
+    vec3 into_tissue;     /* from the slit to the centre of the drain, m */
     session_knot_observation knot;
 } session_observation;
 

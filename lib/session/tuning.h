@@ -96,6 +96,9 @@
 /* The tail is so much longer than it may be before the first throw: thread was drawn through the stitch, at one end.
  * Unit: m, absolute. Origin: chosen: the scripted surgeon's tail is 2 to 12 mm longer then. Test: session.coach_mistakes. */
 #define SESSION_DRAWN_LENGTH VBSS_TUNE(SESSION_DRAWN_LENGTH, 0.015)
+/* Load of an anchor of the drain above which the coach warns.
+ * Unit: 1, relative to its strength. Origin: chosen: the scripted surgeon reaches 0.7. Test: session.coach_mistakes. */
+#define SESSION_ANCHOR_LOAD VBSS_TUNE(SESSION_ANCHOR_LOAD, 0.8)
 /* Tension below which an end is slack. Unit: N. Origin: chosen. Test: session.coach_mistakes. */
 #define SESSION_SLACK_TENSION VBSS_TUNE(SESSION_SLACK_TENSION, 0.1)
 /* Overlap of the slit's edges beyond which the walls have slipped past each other.

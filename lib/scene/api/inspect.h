@@ -167,7 +167,8 @@ typedef struct scene_drain_info {
     vec3 centre;              /* of the tube, m */
     uint32_t node_count, triangle_count, edge_count;
     uint32_t anchor_count, torn_anchor_count;
-    uint32_t marks[2];          /* nodes, left and right, or SCENE_INSPECT_NONE */
+    double anchor_load; /* the largest in the last step, relative to the strength of its anchor */
+    uint32_t marks[2];  /* nodes, left and right, or SCENE_INSPECT_NONE */
     uint32_t slit_middle[2];    /* nodes in the middle of the edges of the slit, left and right */
     const vec3 *positions;      /* one per node, m */
     const vec3 *rest_positions; /* one per node, in the drain's frame, m */

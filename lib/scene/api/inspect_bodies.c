@@ -46,6 +46,7 @@ scene_drain_info vbss_scene_inspect_drain(const vbss_drain *drain)
                               .edge_count = m->edge_count,
                               .anchor_count = m->anchor_count,
                               .torn_anchor_count = d->statistics.torn,
+                              .anchor_load = d->anchor_load,
                               .marks = {m->marks[0], m->marks[1]},
                               .slit_middle = {m->slit_middle[0], m->slit_middle[1]},
                               .positions = d->x,
