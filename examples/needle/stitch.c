@@ -24,6 +24,7 @@
 #define FELT 2.5  /* N: a hand that feels more draws back */
 #define BEARS 0.1 /* N: a hand whose fork bears the wall feels more, once that is pressed for */
 #define PRESSED 0.5 /* so many s */
+#define BORNE 1.5   /* s: so long after the fork is told to, the right wall is at rest on it */
 #define SQUARE \
     0.75 /* cosine between needle and wall, beyond which the needle was square to it once; */
 #define ASLANT 0.25      /* so much of it is lost when the wall tips over */
@@ -165,6 +166,12 @@ static void take(stitch *t)
     }
 }
 
+/* But for what it misses its aim by. */
+static bool is_there(const hand *h)
+{
+    return v_distance(h->at, v_add(h->goal, h->target_at)) < 1e-3;
+}
+
 static void carry(stitch *t)
 {
     if (t->state == STITCH_LIFT) {
@@ -188,8 +195,8 @@ static void carry(stitch *t)
         return;
     }
     steer(t, &needle, CAREFUL);
-    if (hold_off(&t->site, &needle) < 1e-3 && t->support == SUPPORT_UNDER &&
-        t->support_since > 0.5) {
+    bool borne = t->support == SUPPORT_UNDER && t->support_since > BORNE && is_there(&t->left);
+    if (hold_off(&t->site, &needle) < 1e-3 && borne) {
         enter_state(t, STITCH_ENTER);
     }
 }
@@ -250,6 +257,12 @@ static void try_again(stitch *t, yielding how)
     }
 }
 
+/* Back out of the first wall. */
+static bool is_out(const stitch *t)
+{
+    return t->state == STITCH_EASE && t->holes[SITE_RIGHT] == 0;
+}
+
 static void drive(stitch *t, double dt)
 {
     double step = DRIVE * t->right.nature.speed * dt;
@@ -278,7 +291,7 @@ static void drive(stitch *t, double dt)
         try_again(t, how);
     }
     if (t->state == STITCH_EASE) {
-        t->gone -= step;
+        t->gone -= is_out(t) ? 0.0 : step;
         if (t->gone <= IN_LUMEN && !t->withdraws) {
             enter_state(t, STITCH_CROSS);
         }
@@ -441,6 +454,33 @@ static void punctured(stitch *t, uint32_t id)
     }
 }
 
+/* To the first mark, with all that was learnt of the walls forgotten. */
+static void begin_again(stitch *t)
+{
+    t->withdraws = false;
+    t->beside = t->trim = t->fork = v3(0.0, 0.0, 0.0);
+    t->along = t->square = 0.0;
+    enter_support(t, SUPPORT_AWAY);
+    enter_state(t, STITCH_BRING);
+}
+
+void stitch_mend(stitch *t)
+{
+    if (is_out(t)) {
+        begin_again(t);
+    } else {
+        t->withdraws = true;
+        enter_state(t, STITCH_EASE);
+    }
+}
+
+/* The needle is back out of the first wall. */
+static void withdrawn(stitch *t)
+{
+    t->holes[SITE_RIGHT] = 0;
+    t->punctures = 0;
+}
+
 /* The wall springs back from a tip that has entered it, and now and then off it again: that goes on pressing. */
 static bool sprang_off(stitch *t, uint32_t id)
 {
@@ -467,6 +507,8 @@ vbss_result stitch_observe(stitch *t)
             punctured(t, e->id);
         } else if (e->kind == VBSS_SCENE_EVENT_WITHDRAWN && sprang_off(t, e->id)) {
             continue;
+        } else if (e->kind == VBSS_SCENE_EVENT_WITHDRAWN && t->withdraws && t->mends) {
+            withdrawn(t);
         } else if (e->kind == VBSS_SCENE_EVENT_TORN || e->kind == VBSS_SCENE_EVENT_WITHDRAWN) {
             t->others++;
             fail(t, e->kind == VBSS_SCENE_EVENT_TORN ? "torn out of the jaws" : "withdrawn");

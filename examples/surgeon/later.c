@@ -33,37 +33,42 @@ vbss_result surgeon_begin_hand_over(surgeon *s)
     return VBSS_OK;
 }
 
+void surgeon_plan_later(const surgeon *s, double limb, throw_plan *plan)
+{
+    throw_plan_on_top(plan);
+    bool kept = s->mistake == SURGEON_KEPT, third = s->stage == SURGEON_THIRD;
+    plan->wrap_tip =
+        v3(third || kept ? WRAP_TIP_FARTHER : WRAP_TIP_X, 0.0, clamp(limb - TURN_ROOM, 0.03, 0.07));
+    plan->s0 = TURN_PLACE;
+    plan->slack = SLACK;
+    plan->firm = true;
+    plan->tension = WINDING;
+    plan->light = plan->drawn = ALIKE;
+    plan->low = LOW;
+    plan->far = FAR;
+    /* The second shuts the slit again when it is pulled from where the first was; the third then when it is pulled its own way,
+     * for that is the first one's, too, if it is not open (tie.c). */
+    plan->catches = CATCHES;
+    plan->minds = plan->backs_off = SURGEON_MINDS;
+    plan->retries = RETRIES;
+    plan->again = !kept;
+    plan->back = !kept && !third;
+    plan->down = !plan->back;
+    plan->askew = kept ? ASKEW : 0.0;
+    plan->off_floor = OFF_FLOOR;
+    plan->reach = SLACK_TAIL;
+    plan->min_height = MIN_HEIGHT;
+    plan->pull = kept ? PULL_KEPT : PULL;
+}
+
 vbss_result surgeon_begin_later(surgeon *s)
 {
     senses *e = &s->see;
     throw_plan plan;
     TRY(senses_observe(e));
     TRY(senses_find_roots(e));
-    throw_plan_on_top(&plan);
-    double limb = senses_length(e, e->limb_root, e->c->node);
-    bool kept = s->mistake == SURGEON_KEPT, third = s->stage == SURGEON_THIRD;
-    plan.wrap_tip =
-        v3(third || kept ? WRAP_TIP_FARTHER : WRAP_TIP_X, 0.0, clamp(limb - TURN_ROOM, 0.03, 0.07));
-    plan.s0 = TURN_PLACE;
-    plan.slack = SLACK;
-    plan.firm = true;
-    plan.tension = WINDING;
-    plan.light = plan.drawn = ALIKE;
-    plan.low = LOW;
-    plan.far = FAR;
-    /* The second shuts the slit again when it is pulled from where the first was; the third then when it is pulled its own way,
-     * for that is the first one's, too, if it is not open (tie.c). */
-    plan.catches = CATCHES;
-    plan.minds = plan.backs_off = SURGEON_MINDS;
-    plan.retries = RETRIES;
-    plan.again = !kept;
-    plan.back = !kept && !third;
-    plan.down = !plan.back;
-    plan.askew = kept ? ASKEW : 0.0;
-    plan.off_floor = OFF_FLOOR;
-    plan.reach = SLACK_TAIL;
-    plan.min_height = MIN_HEIGHT;
-    plan.pull = kept ? PULL_KEPT : PULL;
+    surgeon_plan_later(s, senses_length(e, e->limb_root, e->c->node), &plan);
+    surgeon_spoil(s, &plan);
     surgeon_hold_level(s);
     s->shut = 0.0;
     s->seated = false;

@@ -3,14 +3,15 @@
  *     surgeon [-s seed] [-n seeds] [-g seeds that must be good: all] [-u pass|pull|tie|over|second|back|third|cut: the last stage] [-t most seconds]
  *             [-w budget of a step in us, 0: none] [-c the same of a call] [-l log] [-p folder for pictures]
  *             [-e seconds between them] [-v] [-j file that gets a line of JSON more for each seed]
- *             [-k expert|resident|novice: whose hands] [-m withdrawn|missed|torn|idle|slack|kept: a mistake]
+ *             [-k expert|resident|novice: whose hands] [--mend: the mistake is mended when the coach says so]
+ *             [-m withdrawn|missed|torn|idle|slack|kept|granny|handle|counter|bight|dropped|one-sided: a mistake]
  *             [-a folder for pictures of the key stages] [--calibrate] [--coach: its sentences, too]
  *             [-x bending|friction|yield|hardening=number, of the thread: EI in N m^2, with itself, 1/m, fraction of EI]
  *
  * With --calibrate both budgets are those of this core, so a seed does not do the same everywhere.
  * The log is played back. Tells of each seed what came of it. Exits 0 if in all seeds the hands have made the last stage that was
- * named or, if none was, the session calls the whole task done and the slit is shut, or if their mistake is told, and logs play back to the same;
- * else 1. With -g so many good seeds are enough; no simulation may fail all the same, and each log must play back. */
+ * named or, if none was, the session calls the whole task done and the slit is shut, or if their mistake is told or, with --mend, mended
+ * as far as it can be, and logs play back to the same; else 1. With -g so many good seeds are enough; no simulation may fail all the same, and each log must play back. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -25,7 +26,7 @@ static int usage(void)
                     "pass|pull|tie|over|second|back|third|cut] "
                     "[-t most seconds] [-w us of a step] [-c us of a call] [-l log] [-p folder for "
                     "pictures] [-e seconds between them] [-j file for lines of JSON] [-k "
-                    "expert|resident|novice] [-m mistake] "
+                    "expert|resident|novice] [-m mistake] [--mend] "
                     "[-a folder for the "
                     "key stages] [-x bending|friction|yield|hardening=number] [--calibrate] "
                     "[--coach] [-v]\n");
@@ -91,6 +92,10 @@ static bool read_options(int count, char **words, watch *w, tally *t, bool *whol
         }
         if (strcmp(word, "--coach") == 0) {
             w->options.coaching = true;
+            continue;
+        }
+        if (strcmp(word, "--mend") == 0) {
+            w->options.mends = true;
             continue;
         }
         if (strcmp(word, "-v") == 0) {
@@ -178,16 +183,46 @@ static bool is_made(const watch *w, const surgeon *s, bool whole)
            (!whole || (watch_complete(w) && surgeon_slit_is_shut(s)));
 }
 
-/* What the coach says when that changes, and every second. */
-static vbss_result show_coach(void *user, const watch *w, surgeon *s)
+/* Mended, and the last stage made, unless the task has failed. */
+static bool judge_remedy(const watch *w, const surgeon *s)
 {
-    vbss_session_coaching *before = user, now;
+    const surgeon_mistake mistake = w->options.mistake;
+    const bool made = s->stage >= w->options.until && s->stage != SURGEON_FAILED;
+    const surgeon_remedy remedy = surgeon_mistake_remedy(mistake);
+    const bool good =
+        surgeon_mistake_is_mended(mistake, w->task.session) && (made || remedy == REMEDY_FAILED);
+    printf("  %s: %s: %s\n", surgeon_mistake_name(mistake),
+           remedy == REMEDY_WORKS  ? "the coach takes it back"
+           : remedy == REMEDY_NONE ? "the task goes on with it"
+                                   : "the task has failed",
+           good ? "so it is" : "NO");
+    return good;
+}
+
+typedef struct listener {
+    vbss_session_coaching before;
+    bool prints;
+} listener;
+
+/* What the coach says when that changes, and every second; the hands follow it. */
+static vbss_result hear_coach(void *user, const watch *w, surgeon *s)
+{
+    listener *l = user;
+    vbss_session_coaching now;
     TRY(vbss_session_get_coaching(w->task.session, &now, sizeof now));
-    if (now.goal != before->goal || now.tool != before->tool || now.mistake != before->mistake ||
-        s->steps % 1000 == 0) {
+    const bool is_new = now.mistake != l->before.mistake;
+    if (l->prints && (now.goal != l->before.goal || now.tool != l->before.tool || is_new ||
+                      s->steps % 1000 == 0)) {
         task_print_coaching(s->stitch.site.rig.time, &now);
     }
-    *before = now;
+    if (w->options.mends && is_new) {
+        const bool ends = now.mistake == VBSS_SESSION_MISTAKE_NONE;
+        printf("  %.3f s  coach: %s %s%s\n", s->stitch.site.rig.time,
+               ends ? now.sentence : now.mistake_sentence, now.remedy,
+               ends || now.is_mendable != 0 ? "" : " (cannot be mended)");
+        surgeon_mend(s, now.mistake);
+    }
+    l->before = now;
     return VBSS_OK;
 }
 
@@ -211,17 +246,18 @@ static void run(watch w, bool whole, tally *t)
 {
     static surgeon s;
     static double times[WATCH_STEPS];
-    vbss_session_coaching coaching = {.goal = -1};
-    if (w.options.coaching) {
-        w.guest = show_coach;
-        w.user = &coaching;
+    listener hears = {.before = {.goal = -1}, .prints = w.options.coaching};
+    if (w.options.coaching || w.options.mends) {
+        w.guest = hear_coach;
+        w.user = &hears;
     }
     vbss_result result = watch_run(&w, &s, times);
     watch_report(&w, &s, result);
     watch_report_events(&w);
     bool good =
-        result == VBSS_OK &&
-        (w.options.mistake != SURGEON_NO_MISTAKE ? judge_mistake(&w) : is_made(&w, &s, whole));
+        result == VBSS_OK && (w.options.mistake == SURGEON_NO_MISTAKE ? is_made(&w, &s, whole)
+                              : w.options.mends                       ? judge_remedy(&w, &s)
+                                                                      : judge_mistake(&w));
     t->failed += !write_line(t, &w, &s, result, good);
     throw_rig_destroy(&s.stitch.site.rig);
     if (w.options.log != NULL) {

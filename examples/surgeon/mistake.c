@@ -5,17 +5,40 @@
 #define MIN_MISSED 2.0 /* mm: 3, with what the walls give way */
 #define MAX_MISSED 6.0
 
+#define COACHED(name) VBSS_SESSION_MISTAKE_##name
+
 static const struct {
     const char *name, *wanted;
+    throw_mistake in_throw;
+    vbss_session_mistake told;
+    surgeon_remedy remedy;
 } mistakes[] = {
-    [SURGEON_NO_MISTAKE] = {"", ""},
+    [SURGEON_NO_MISTAKE] = {"", "", THROW_NO_MISTAKE, COACHED(NONE), REMEDY_FAILED},
     [SURGEON_WITHDRAWN] = {"withdrawn",
-                           "the hole is left, an attempt, and the first mark is asked for again"},
-    [SURGEON_MISSED] = {"missed", "both holes 2 to 6 mm off their marks"},
-    [SURGEON_TORN] = {"torn", "failed: the drain was torn off"},
-    [SURGEON_IDLE] = {"idle", "failed: the time is up"},
-    [SURGEON_KEPT] = {"kept", "throw 2 without the needle having changed hands"},
-    [SURGEON_SLACK] = {"slack", "throw 1 is tied and not seated, and is asked for still"},
+                           "the hole is left, an attempt, and the first mark is asked for again",
+                           THROW_NO_MISTAKE, COACHED(NEEDLE_WITHDRAWN), REMEDY_WORKS},
+    [SURGEON_MISSED] = {"missed", "both holes 2 to 6 mm off their marks", THROW_NO_MISTAKE,
+                        COACHED(ENTRY_MISSED), REMEDY_WORKS},
+    [SURGEON_TORN] = {"torn", "failed: the drain was torn off", THROW_NO_MISTAKE,
+                      COACHED(DRAIN_TEARING), REMEDY_WORKS},
+    [SURGEON_IDLE] = {"idle", "failed: the time is up", THROW_NO_MISTAKE, COACHED(TIME_UP),
+                      REMEDY_FAILED},
+    [SURGEON_SLACK] = {"slack", "throw 1 is tied and not seated, and is asked for still",
+                       THROW_SLACK, COACHED(SLACK), REMEDY_WORKS},
+    [SURGEON_KEPT] = {"kept", "throw 2 without the needle having changed hands", THROW_NO_MISTAKE,
+                      COACHED(TRANSFER_MISSED), REMEDY_NONE},
+    [SURGEON_GRANNY] = {"granny", "throw 2 is wound in the sense of throw 1", THROW_REVERSED,
+                        COACHED(WRONG_SENSE), REMEDY_WORKS},
+    [SURGEON_HANDLE] = {"handle", "turns that run toward the handle", THROW_TO_HANDLE,
+                        COACHED(TOWARD_HANDLE), REMEDY_WORKS},
+    [SURGEON_COUNTER] = {"counter", "turns that have come off", THROW_COUNTER, COACHED(TURNS_LOST),
+                         REMEDY_WORKS},
+    [SURGEON_BIGHT] = {"bight", "a tail that is taken far from its end", THROW_BIGHT,
+                       COACHED(BIGHT), REMEDY_WORKS},
+    [SURGEON_DROPPED] = {"dropped", "a tail that is let go before it is through", THROW_DROPPED,
+                         COACHED(TAIL_DROPPED), REMEDY_WORKS},
+    [SURGEON_ONE_SIDED] = {"one-sided", "a pull at one end alone", THROW_ONE_SIDED,
+                           COACHED(ONE_SIDED), REMEDY_WORKS},
 };
 enum { MISTAKES = sizeof mistakes / sizeof mistakes[0] };
 
@@ -27,6 +50,21 @@ const char *surgeon_mistake_name(surgeon_mistake mistake)
 const char *surgeon_mistake_wanted(surgeon_mistake mistake)
 {
     return mistakes[mistake].wanted;
+}
+
+throw_mistake surgeon_mistake_in_throw(surgeon_mistake mistake)
+{
+    return mistakes[mistake].in_throw;
+}
+
+vbss_session_mistake surgeon_mistake_told(surgeon_mistake mistake)
+{
+    return mistakes[mistake].told;
+}
+
+surgeon_remedy surgeon_mistake_remedy(surgeon_mistake mistake)
+{
+    return mistakes[mistake].remedy;
 }
 
 surgeon_mistake surgeon_mistake_named(const char *name)
@@ -66,22 +104,10 @@ static bool is_coached(vbss_session *session, const vbss_session_status *s,
 static bool is_coached_as(surgeon_mistake mistake, vbss_session *session,
                           const vbss_session_status *s)
 {
-    switch (mistake) {
-    case SURGEON_WITHDRAWN:
-        return is_coached(session, s, VBSS_SESSION_MISTAKE_NEEDLE_WITHDRAWN);
-    case SURGEON_MISSED:
-        return is_coached(session, s, VBSS_SESSION_MISTAKE_ENTRY_MISSED) &&
-               is_coached(session, s, VBSS_SESSION_MISTAKE_EXIT_MISSED);
-    case SURGEON_TORN:
-        return is_coached(session, s, VBSS_SESSION_MISTAKE_DRAIN_TEARING) &&
-               is_coached(session, s, VBSS_SESSION_MISTAKE_DRAIN_TORN);
-    case SURGEON_IDLE:
-        return is_coached(session, s, VBSS_SESSION_MISTAKE_TIME_UP);
-    case SURGEON_KEPT:
-        return is_coached(session, s, VBSS_SESSION_MISTAKE_TRANSFER_MISSED);
-    default:
-        return true;
-    }
+    return mistake == SURGEON_SLACK ||
+           (is_coached(session, s, mistakes[mistake].told) &&
+            (mistake != SURGEON_MISSED || is_coached(session, s, COACHED(EXIT_MISSED))) &&
+            (mistake != SURGEON_TORN || is_coached(session, s, COACHED(DRAIN_TORN))));
 }
 
 bool surgeon_mistake_is_reported(surgeon_mistake mistake, vbss_session *session,
@@ -114,7 +140,26 @@ bool surgeon_mistake_is_reported(surgeon_mistake mistake, vbss_session *session,
                !happened(session, &s, VBSS_SESSION_EVENT_SEATED, 0, 0);
     case SURGEON_KEPT:
         return happened(session, &s, VBSS_SESSION_EVENT_TRANSFER_MISSED, 1, 0) && r.transfers == 0;
+    case SURGEON_NO_MISTAKE:
+        return false;
     default:
+        return true; /* only the coach gives it a name */
+    }
+}
+
+bool surgeon_mistake_is_mended(surgeon_mistake mistake, vbss_session *session)
+{
+    vbss_session_status s;
+    vbss_session_coaching c;
+    const vbss_session_mistake told = mistakes[mistake].told;
+    if (vbss_session_get_status(session, &s, sizeof s) != VBSS_OK ||
+        vbss_session_get_coaching(session, &c, sizeof c) != VBSS_OK ||
+        !is_coached(session, &s, told)) {
         return false;
     }
+    const bool is_open = (c.mistakes >> told & 1u) != 0;
+    const bool has_failed = s.phase == VBSS_SESSION_PHASE_FAILED;
+    return mistakes[mistake].remedy == REMEDY_FAILED  ? has_failed && is_open
+           : mistakes[mistake].remedy == REMEDY_WORKS ? !has_failed && !is_open
+                                                      : !has_failed && is_open;
 }

@@ -21,6 +21,7 @@ vbss_result surgeon_create(surgeon *s, const surgeon_options *o)
     TRY(stitch_create(&s->stitch, o->seed, &plan));
     hesitation_begin(&s->thinks, skill_or_expert(o->skill), o->seed);
     s->mistake = o->mistake;
+    s->mends = s->stitch.mends = o->mends;
     s->limit = surgeon_task_plan(o).time_limit;
     s->stitch.withdraws = o->mistake == SURGEON_WITHDRAWN;
     if (o->mistake == SURGEON_MISSED) {
@@ -105,6 +106,7 @@ static vbss_result pass(surgeon *s, double dt)
             s->off[side] = site_deviation(&t->site, &t->made[side], side);
         }
         pull_begin(&s->pull, t);
+        s->lifted_from = t->right.at;
         s->stage = SURGEON_PULL;
         if (t->punctures != 2 || t->others > 0 || s->off[0] > MAX_OFF || s->off[1] > MAX_OFF) {
             fail(s, "not through both marks");
@@ -131,10 +133,22 @@ static vbss_result lift(surgeon *s, double dt)
     return VBSS_OK;
 }
 
+/* Back to where it was lifted from. */
+static vbss_result lower(surgeon *s, double dt)
+{
+    hand *h = &s->stitch.right;
+    hand_go(h, s->lifted_from, 0.05);
+    s->lowers = v_distance(h->at, s->lifted_from) > 1e-3;
+    return move(s, dt);
+}
+
 static vbss_result pull(surgeon *s, double dt)
 {
     if (s->mistake == SURGEON_TORN) {
         return lift(s, dt);
+    }
+    if (s->lowers) {
+        return lower(s, dt);
     }
     pull_step(&s->pull, dt);
     TRY(move(s, dt));

@@ -34,7 +34,10 @@ typedef struct surgeon {
     cut_run cut;
     hesitation thinks;
     surgeon_mistake mistake;
-    double limit; /* s, of who is idle; 0: none */
+    bool mends;      /* when told of it */
+    vec lifted_from; /* by one who tears the drain */
+    bool lowers;     /* and goes back there */
+    double limit;    /* s, of who is idle; 0: none */
     surgeon_stage stage;
     const char *why; /* failed */
     uint64_t steps;
@@ -54,6 +57,7 @@ typedef struct surgeon_options {
     const vbss_solver_options *solver; /* NULL: the defaults */
     const hand_skill *skill;           /* NULL: an expert's */
     surgeon_mistake mistake;
+    bool mends;      /* it is mended when the coach says so */
     bool coaching;   /* the session coaches; with a mistake it does in any case */
     const char *log; /* may be NULL */
     site_material material;
@@ -66,6 +70,10 @@ task_plan surgeon_task_plan(const surgeon_options *o);
 vbss_result surgeon_create(surgeon *s, const surgeon_options *o);
 /* Hands, devices, scene, and what is seen of it. */
 vbss_result surgeon_step(surgeon *s, double dt);
+/* Does what the coach says of a mistake. (mend.c) */
+void surgeon_mend(surgeon *s, vbss_session_mistake told);
+/* Makes the plan of a throw one with the surgeon's mistake, if that is one in this throw. (mend.c) */
+void surgeon_spoil(const surgeon *s, throw_plan *plan);
 /* As the program knows it. */
 bool surgeon_slit_is_shut(const surgeon *s); /* between its lips */
 const char *surgeon_stage_name(surgeon_stage stage);
@@ -73,6 +81,8 @@ const char *surgeon_stage_name(surgeon_stage stage);
 const char *surgeon_doing(const surgeon *s);
 
 /* ---- tie.c */
+/* Of the double. */
+void surgeon_plan_tie(throw_plan *plan);
 vbss_result surgeon_begin_tie(surgeon *s);
 void surgeon_hold_level(surgeon *s);
 vbss_result surgeon_tie(surgeon *s, double dt);
@@ -81,6 +91,8 @@ vbss_result surgeon_observe(surgeon *s);
 
 /* ---- later.c */
 vbss_result surgeon_begin_hand_over(surgeon *s);
+/* Of the single that comes next; `limb`: its length, m. */
+void surgeon_plan_later(const surgeon *s, double limb, throw_plan *plan);
 vbss_result surgeon_begin_later(surgeon *s);
 vbss_result surgeon_begin_cut(surgeon *s);
 

@@ -58,6 +58,17 @@ void surgeon_hold_level(surgeon *s)
     hand_through(c, seen(c, OTHER));
 }
 
+void surgeon_plan_tie(throw_plan *plan)
+{
+    throw_plan_usual(plan, 2);
+    plan->wrap_tip = WRAP_TIP;
+    plan->tension = WINDING;
+    plan->alike = true; /* the drain gives way to what is pulled unlike */
+    plan->low = LOW;
+    plan->still = true;
+    plan->minds = SURGEON_MINDS;
+}
+
 vbss_result surgeon_begin_tie(surgeon *s)
 {
     stitch *t = &s->stitch;
@@ -65,16 +76,8 @@ vbss_result surgeon_begin_tie(surgeon *s)
     find_marks(s);
     TRY(senses_create(&s->see, &t->site.rig, &t->left, &t->right));
     TRY(senses_observe(&s->see));
-    throw_plan_usual(&plan, 2);
-    plan.wrap_tip = WRAP_TIP;
-    plan.tension = WINDING;
-    plan.alike = true; /* the drain gives way to what is pulled unlike */
-    plan.low = LOW;
-    plan.still = true;
-    plan.minds = SURGEON_MINDS;
-    if (s->mistake == SURGEON_SLACK) {
-        throw_plan_spoil(&plan, THROW_SLACK);
-    }
+    surgeon_plan_tie(&plan);
+    surgeon_spoil(s, &plan);
     surgeon_hold_level(s);
     throw_begin(&s->tie, &s->see, &plan);
     return VBSS_OK;

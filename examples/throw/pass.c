@@ -132,6 +132,11 @@ static void draw_in_vain(throw_run *t, double dt)
     const senses *s = t->see;
     t->clear = s->last == 0 ? t->clear + dt : 0.0;
     if (t->plan.mistake == THROW_DROPPED && fabs(t->angle - t->begun) > DROP_AT) {
+        if (t->plan.waits) {
+            hand_open(t->see->w, t->plan.opening);
+            hand_go(t->see->w, t->see->tool_w.tip, 0.02);
+            return;
+        }
         t->dropped = true;
         throw_enter(t, THROW_UNWIND);
     } else if (t->plan.mistake != THROW_DROPPED && t->clear > OFF_JAWS) {

@@ -94,7 +94,9 @@ void throw_lower(throw_run *t, double dt)
     throw_follow(t, t->plan.light, dt);
     bool low = (t->angle > PI * 172.0 / 180.0 && s->tool_w.tip.z < 6e-3) || t->since > 3.0;
     if (low && t->plan.mistake == THROW_SLACK) {
-        throw_enter(t, THROW_DONE);
+        if (!t->plan.waits) {
+            throw_enter(t, THROW_DONE);
+        }
     } else if (low) {
         t->carrot_w = s->tool_w.tip;
         t->carrot_c = s->tool_c.tip;
@@ -275,6 +277,13 @@ static void pull_tail_alone(throw_run *t, double dt)
     t->clear += s->tension_w > 0.9 * full ? dt : 0.0;
 }
 
+static void pull_limb_alone(throw_run *t, double dt)
+{
+    senses *s = t->see;
+    pull(s->c, &s->tool_c, &t->carrot_c, outward(t, FAR_C), s->tension_c, t->plan.pull, dt);
+    hand_yield(s->w, &s->tool_w, &t->carrot_w, steer_tail_root(t), s->tension_w, dt);
+}
+
 void throw_seat(throw_run *t, double dt)
 {
     hand_turn(t->see->w, OUTWARD);
@@ -283,6 +292,8 @@ void throw_seat(throw_run *t, double dt)
     }
     if (t->plan.mistake == THROW_ONE_SIDED) {
         pull_tail_alone(t, dt);
+    } else if (t->plan.other_end) {
+        pull_limb_alone(t, dt);
     } else if (t->plan.back) {
         pull_back(t, dt);
     } else if (t->plan.alike) {

@@ -81,7 +81,9 @@ typedef struct throw_plan {
     int retries;
     bool wrong;     /* C goes round the other way */
     bool unchecked; /* what it would tie does not matter */
+    bool other_end; /* C alone pulls, and W gives way: what has turned over becomes flat */
     throw_mistake mistake;
+    bool waits; /* once it is made, until somebody says so (throw_mend) */
 } throw_plan;
 
 typedef struct throw_run {
@@ -104,19 +106,23 @@ typedef struct throw_run {
     senses_knot predicted, formed; /* at the catch, and when the end had come through */
     double hooked;                 /* rad that C still has to back off */
     bool back;                     /* winding back what was wound */
-    bool dropped;                  /* the tail, knowingly */
-    double closed;                 /* s in this state when both ends can be pulled; 0: not yet */
-    double round_w, round_c;       /* rad about the knot, of both hands as they go back */
-    double far_w, far_c;           /* m from it, as they come round again */
-    double asked;                  /* N, of both ends then */
-    double lost;                   /* s, that W has had no turns on its jaws */
-    double far_round;              /* s, that W has drawn as far round as it goes */
-    int pulls;                     /* so often it was pulled again */
+    bool unwinds;                  /* all of it, and then anew, with the plan `next` */
+    throw_plan next;
+    bool dropped;            /* the tail, knowingly */
+    double closed;           /* s in this state when both ends can be pulled; 0: not yet */
+    double round_w, round_c; /* rad about the knot, of both hands as they go back */
+    double far_w, far_c;     /* m from it, as they come round again */
+    double asked;            /* N, of both ends then */
+    double lost;             /* s, that W has had no turns on its jaws */
+    double far_round;        /* s, that W has drawn as far round as it goes */
+    int pulls;               /* so often it was pulled again */
 } throw_run;
 
 void throw_plan_usual(throw_plan *p, int wraps);
 /* The hands shall make that mistake in it. */
 void throw_plan_spoil(throw_plan *p, throw_mistake mistake);
+/* The hands were told of their mistake: they mend it, and go on with the plan as it was before it was spoiled. (mend.c) */
+void throw_mend(throw_run *t, const throw_plan *plan);
 /* A single on top of what is tied. */
 void throw_plan_on_top(throw_plan *p);
 void throw_begin(throw_run *t, senses *see, const throw_plan *plan);

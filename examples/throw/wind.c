@@ -1,7 +1,9 @@
 #include "throw/states.h"
 
-#define BACK_OFF 0.8 /* rad, of C on its orbit when it has hooked something */
-#define NEARLY 0.35  /* rad before the end of the orbit, where it may end as well */
+#define BACK_OFF 0.8     /* rad, of C on its orbit when it has hooked something */
+#define FASTEST 10.0     /* rad/s, of C on its orbit; */
+#define FASTEST_BACK 3.0 /* back, so that its circle can become wider as turns come off */
+#define NEARLY 0.35      /* rad before the end of the orbit, where it may end as well */
 
 vbss_result throw_pick(throw_run *t, double dt)
 {
@@ -77,11 +79,15 @@ void throw_orbit(throw_run *t, double dt)
     const senses *s = t->see;
     double sign = t->plan.wrong ? -1.0 : 1.0;
     double end = t->begin + sign * (2.0 * PI * (t->plan.wraps + 0.5) + t->plan.beyond);
-    if (t->back) {
+    if (t->unwinds) {
+        end = t->begin;
+        sign = end < t->phi ? -1.0 : 1.0;
+    } else if (t->back) {
         end -= sign * (2.0 * PI * t->plan.wraps + t->plan.beyond);
         sign = -sign;
     }
-    double rate = smaller(t->plan.speed * s->c->nature.speed / t->rho, 10.0);
+    double fastest = t->unwinds || (t->back && t->plan.waits) ? FASTEST_BACK : FASTEST;
+    double rate = smaller(t->plan.speed * s->c->nature.speed / t->rho, fastest);
     if (is_hooked(t, sign, rate, dt)) {
         return;
     }
@@ -94,8 +100,13 @@ void throw_orbit(throw_run *t, double dt)
     }
     t->phi += sign * smaller(rate * dt, sign * (end - t->phi));
     steer_keep_taut(t, 0.3, dt);
-    if (sign * (end - t->phi) < 1e-9 ||
-        (t->clear > 0.7 && sign * (end - t->phi) < NEARLY)) { /* or as far as the limb lets it */
+    if (t->unwinds && sign * (end - t->phi) < 1e-9) {
+        t->unwinds = false;
+        t->plan = t->next;
+        throw_enter(t, THROW_NEAR);
+    } else if (sign * (end - t->phi) < 1e-9 ||
+               (t->clear > 0.7 &&
+                sign * (end - t->phi) < NEARLY)) { /* or as far as the limb lets it */
         bool turns_back = t->plan.mistake == THROW_COUNTER && !t->back;
         throw_enter(t, turns_back ? THROW_ORBIT : THROW_CHECK);
         t->back = t->back || turns_back;
