@@ -27,6 +27,7 @@
 #include <vblast_ss/replica.h>
 #include <vblast_ss/scene.h>
 #include <vblast_ss/scene_event.h>
+#include <vblast_ss/scene_geometry.h>
 #include <vblast_ss/scene_query.h>
 #include <vblast_ss/scene_settings.h>
 #include <vblast_ss/scene_surface.h>

@@ -33,7 +33,7 @@ SYSTEM = {"cpuid.h",                     # which copy of the hot loops, on x86
 PLATFORM = {"dlfcn.h", "pthread.h", "time.h", "windows.h"}
 PLATFORM_FILES = {"lib/device/dynamic_library.c", "lib/device/io_thread.c", "lib/device/platform.h"}
 # Public headers that are not named after their folder.
-OF_FOLDER = {"adapter": "device", "baseline": "base", "core_speed": "scene", "solver_options": "scene", "elementary": "base", "haptics": "device", "mapping": "device", "mock": "device", "scene_event": "scene", "scene_query": "scene", "scene_settings": "scene", "scene_surface": "scene", "session_assistance": "session", "session_coaching": "session", "session_exercise": "session",
+OF_FOLDER = {"adapter": "device", "baseline": "base", "core_speed": "scene", "solver_options": "scene", "elementary": "base", "haptics": "device", "mapping": "device", "mock": "device", "scene_event": "scene", "scene_geometry": "scene", "scene_query": "scene", "scene_settings": "scene", "scene_surface": "scene", "session_assistance": "session", "session_coaching": "session", "session_exercise": "session",
              "output": "device"}
 
 

@@ -8,14 +8,14 @@ from ._api.base import Method, Result
 from ._api.baseline import BaselineStatistics, vbss_baseline_statistics
 from ._api.scene import (SceneBlocker, SceneBlockerCause, SceneContactKind, SceneGrasp, SceneHole, SceneOverlap, SceneOverlapPolicy, SceneRigidKind,
                          SceneRigidState, SceneField, SceneMode, SceneStatistics, vbss_scene_blocker, vbss_scene_capsule, vbss_scene_grasp, vbss_scene_hole,
-                         vbss_scene_overlap, vbss_scene_rigid_config, vbss_scene_rigid_state, vbss_scene, vbss_scene_config, vbss_scene_plane_config, vbss_scene_static_mesh_config,
-                         vbss_scene_height_field_config, vbss_scene_distance_field_config,
+                         vbss_scene_overlap, vbss_scene_rigid_config, vbss_scene_rigid_state, vbss_scene, vbss_scene_config,
                          vbss_scene_statistics)
 from ._api.drain import vbss_drain
 from ._api.grasper import vbss_grasper
 from ._api.needle import vbss_needle
 from ._api.scene_event import SceneEventFlagBits, SceneEventKind, vbss_scene_event
 from ._api.scene_query import SceneBodyInfo, SceneBodyKind, SceneNearest, SceneRayHit, vbss_scene_body_info, vbss_scene_nearest, vbss_scene_ray_hit
+from ._api.scene_geometry import vbss_scene_distance_field_config, vbss_scene_height_field_config, vbss_scene_plane_config, vbss_scene_static_mesh_config
 from ._api.scene_surface import (SceneSurfaceField, vbss_scene_hole_place, vbss_scene_place_hole_fn,
                                  vbss_scene_surface_config)
 from ._api.thread import vbss_thread

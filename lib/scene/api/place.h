@@ -4,6 +4,7 @@
 #ifndef VBSS_SCENE_PLACE_H
 #define VBSS_SCENE_PLACE_H
 
+#include <vblast_ss/scene_geometry.h>
 #include <vblast_ss/scene_surface.h>
 
 #include "scene/snapshot/describe.h"

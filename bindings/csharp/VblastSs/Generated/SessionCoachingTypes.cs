@@ -131,7 +131,10 @@ namespace VblastSs
         TowardHandle = 9,
         /// <summary>The limb is wound in the sense of the throw before: a granny. Ends: it is unwound.</summary>
         WrongSense = 10,
-        /// <summary>Turns came off the jaws before the tail was taken. Ends: they are wound again.</summary>
+        /// <summary>
+        /// Turns came off the jaws before the tail was taken, but for those that had to be unwound.
+        /// Ends: they are wound again.
+        /// </summary>
         TurnsLost = 11,
         /// <summary>
         /// The tail was taken with too few turns on the jaws. Ends: it is released, or tied all the
@@ -163,7 +166,11 @@ namespace VblastSs
         /// it is flat again.
         /// </summary>
         Capsized = 20,
-        /// <summary>One end of an unseated throw is pulled and the other is not. Ends: both or neither are.</summary>
+        /// <summary>
+        /// One end of an unseated throw is pulled and the other is not, or gives way, so that the
+        /// tail of the first throw becomes 15 mm longer than `tail_high`. Ends: both or neither
+        /// are, or the throw is seated.
+        /// </summary>
         OneSided = 21,
         /// <summary>
         /// A throw has been tied for 5 s, and both of its ends are slack. Ends: both ends are
@@ -174,7 +181,7 @@ namespace VblastSs
         SlitOpened = 23,
         /// <summary>The walls of the slit have slipped past each other. Ends: they meet again.</summary>
         WallsCrossed = 24,
-        /// <summary>Anchors of the drain are torn. Does not end.</summary>
+        /// <summary>An anchor of the drain bears more than 0.8 of its strength. Ends: it bears less.</summary>
         DrainTearing = 25,
         /// <summary>The tension of the thread exceeds 6 N. Ends: it falls below.</summary>
         PulledHard = 26,

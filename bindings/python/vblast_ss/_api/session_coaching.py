@@ -100,7 +100,8 @@ class SessionMistake(IntEnum):
     WRONG_SENSE = 10
     """The limb is wound in the sense of the throw before: a granny. Ends: it is unwound."""
     TURNS_LOST = 11
-    """Turns came off the jaws before the tail was taken. Ends: they are wound again."""
+    """Turns came off the jaws before the tail was taken, but for those that had to be unwound.
+    Ends: they are wound again."""
     TOO_FEW_TURNS = 12
     """The tail was taken with too few turns on the jaws. Ends: it is released, or tied all the
     same."""
@@ -124,7 +125,9 @@ class SessionMistake(IntEnum):
     """The first throw, while it is alone, has capsized into a half hitch, which slides. Ends: it
     is flat again."""
     ONE_SIDED = 21
-    """One end of an unseated throw is pulled and the other is not. Ends: both or neither are."""
+    """One end of an unseated throw is pulled and the other is not, or gives way, so that the tail
+    of the first throw becomes 15 mm longer than `tail_high`. Ends: both or neither are, or the
+    throw is seated."""
     SLACK = 22
     """A throw has been tied for 5 s, and both of its ends are slack. Ends: both ends are tense, or
     the throw is seated."""
@@ -133,7 +136,7 @@ class SessionMistake(IntEnum):
     WALLS_CROSSED = 24
     """The walls of the slit have slipped past each other. Ends: they meet again."""
     DRAIN_TEARING = 25
-    """Anchors of the drain are torn. Does not end."""
+    """An anchor of the drain bears more than 0.8 of its strength. Ends: it bears less."""
     PULLED_HARD = 26
     """The tension of the thread exceeds 6 N. Ends: it falls below."""
     TRANSFER_MISSED = 27

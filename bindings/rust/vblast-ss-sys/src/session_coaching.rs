@@ -95,7 +95,8 @@ pub const VBSS_SESSION_MISTAKE_TAIL_LONG: vbss_session_mistake = 8;
 pub const VBSS_SESSION_MISTAKE_TOWARD_HANDLE: vbss_session_mistake = 9;
 /// The limb is wound in the sense of the throw before: a granny. Ends: it is unwound.
 pub const VBSS_SESSION_MISTAKE_WRONG_SENSE: vbss_session_mistake = 10;
-/// Turns came off the jaws before the tail was taken. Ends: they are wound again.
+/// Turns came off the jaws before the tail was taken, but for those that had to be unwound. Ends: they are wound
+/// again.
 pub const VBSS_SESSION_MISTAKE_TURNS_LOST: vbss_session_mistake = 11;
 /// The tail was taken with too few turns on the jaws. Ends: it is released, or tied all the
 /// same.
@@ -119,7 +120,8 @@ pub const VBSS_SESSION_MISTAKE_STRAY_KNOT: vbss_session_mistake = 19;
 /// The first throw, while it is alone, has capsized into a half hitch, which slides. Ends: it is flat
 /// again.
 pub const VBSS_SESSION_MISTAKE_CAPSIZED: vbss_session_mistake = 20;
-/// One end of an unseated throw is pulled and the other is not. Ends: both or neither are.
+/// One end of an unseated throw is pulled and the other is not, or gives way, so that the tail of the first throw
+/// becomes 15 mm longer than `tail_high`. Ends: both or neither are, or the throw is seated.
 pub const VBSS_SESSION_MISTAKE_ONE_SIDED: vbss_session_mistake = 21;
 /// A throw has been tied for 5 s, and both of its ends are slack. Ends: both ends are tense, or the
 /// throw is seated.
@@ -128,7 +130,7 @@ pub const VBSS_SESSION_MISTAKE_SLACK: vbss_session_mistake = 22;
 pub const VBSS_SESSION_MISTAKE_SLIT_OPENED: vbss_session_mistake = 23;
 /// The walls of the slit have slipped past each other. Ends: they meet again.
 pub const VBSS_SESSION_MISTAKE_WALLS_CROSSED: vbss_session_mistake = 24;
-/// Anchors of the drain are torn. Does not end.
+/// An anchor of the drain bears more than 0.8 of its strength. Ends: it bears less.
 pub const VBSS_SESSION_MISTAKE_DRAIN_TEARING: vbss_session_mistake = 25;
 /// The tension of the thread exceeds 6 N. Ends: it falls below.
 pub const VBSS_SESSION_MISTAKE_PULLED_HARD: vbss_session_mistake = 26;
