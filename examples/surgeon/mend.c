@@ -1,4 +1,4 @@
-/* The surgeon is told of a mistake, and mends it. */
+/* The surgeon hears of a mistake from the coach, and mends it. */
 #include "surgeon/surgeon.h"
 
 /* Nodes from the tail's end: 11 mm, of the 15 to 20 that there are. */
@@ -30,16 +30,16 @@ static void find_plan(const surgeon *s, throw_plan *plan)
     }
 }
 
-void surgeon_mend(surgeon *s, vbss_session_mistake told)
+void surgeon_mend(surgeon *s, vbss_session_mistake coached)
 {
     throw_plan plan;
-    if (s->stage == SURGEON_PASS && (told == VBSS_SESSION_MISTAKE_ENTRY_MISSED ||
-                                     told == VBSS_SESSION_MISTAKE_NEEDLE_WITHDRAWN)) {
+    if (s->stage == SURGEON_PASS && (coached == VBSS_SESSION_MISTAKE_ENTRY_MISSED ||
+                                     coached == VBSS_SESSION_MISTAKE_NEEDLE_WITHDRAWN)) {
         stitch_mend(&s->stitch);
         return;
     }
-    s->tie.plan.other_end = s->stage == SURGEON_TIE && told == VBSS_SESSION_MISTAKE_CAPSIZED;
-    if (told != surgeon_mistake_told(s->mistake)) {
+    s->tie.plan.other_end = s->stage == SURGEON_TIE && coached == VBSS_SESSION_MISTAKE_CAPSIZED;
+    if (coached != surgeon_mistake_coached(s->mistake)) {
         return;
     }
     if (surgeon_mistake_in_throw(s->mistake) != THROW_NO_MISTAKE && is_spoilt_stage(s)) {

@@ -10,7 +10,7 @@
 static const struct {
     const char *name, *wanted;
     throw_mistake in_throw;
-    vbss_session_mistake told;
+    vbss_session_mistake coached;
     surgeon_remedy remedy;
 } mistakes[] = {
     [SURGEON_NO_MISTAKE] = {"", "", THROW_NO_MISTAKE, COACHED(NONE), REMEDY_FAILED},
@@ -57,9 +57,9 @@ throw_mistake surgeon_mistake_in_throw(surgeon_mistake mistake)
     return mistakes[mistake].in_throw;
 }
 
-vbss_session_mistake surgeon_mistake_told(surgeon_mistake mistake)
+vbss_session_mistake surgeon_mistake_coached(surgeon_mistake mistake)
 {
-    return mistakes[mistake].told;
+    return mistakes[mistake].coached;
 }
 
 surgeon_remedy surgeon_mistake_remedy(surgeon_mistake mistake)
@@ -105,7 +105,7 @@ static bool is_coached_as(surgeon_mistake mistake, vbss_session *session,
                           const vbss_session_status *s)
 {
     return mistake == SURGEON_SLACK ||
-           (is_coached(session, s, mistakes[mistake].told) &&
+           (is_coached(session, s, mistakes[mistake].coached) &&
             (mistake != SURGEON_MISSED || is_coached(session, s, COACHED(EXIT_MISSED))) &&
             (mistake != SURGEON_TORN || is_coached(session, s, COACHED(DRAIN_TORN))));
 }
@@ -151,13 +151,13 @@ bool surgeon_mistake_is_mended(surgeon_mistake mistake, vbss_session *session)
 {
     vbss_session_status s;
     vbss_session_coaching c;
-    const vbss_session_mistake told = mistakes[mistake].told;
+    const vbss_session_mistake coached = mistakes[mistake].coached;
     if (vbss_session_get_status(session, &s, sizeof s) != VBSS_OK ||
         vbss_session_get_coaching(session, &c, sizeof c) != VBSS_OK ||
-        !is_coached(session, &s, told)) {
+        !is_coached(session, &s, coached)) {
         return false;
     }
-    const bool is_open = (c.mistakes >> told & 1u) != 0;
+    const bool is_open = (c.mistakes >> coached & 1u) != 0;
     const bool has_failed = s.phase == VBSS_SESSION_PHASE_FAILED;
     return mistakes[mistake].remedy == REMEDY_FAILED  ? has_failed && is_open
            : mistakes[mistake].remedy == REMEDY_WORKS ? !has_failed && !is_open

@@ -40,7 +40,7 @@ const char *surgeon_mistake_wanted(surgeon_mistake mistake);
 /* What the hands do wrong in a throw; THROW_NO_MISTAKE: it is not one of a throw. */
 throw_mistake surgeon_mistake_in_throw(surgeon_mistake mistake);
 /* Under what name the coach gives it first. */
-vbss_session_mistake surgeon_mistake_told(surgeon_mistake mistake);
+vbss_session_mistake surgeon_mistake_coached(surgeon_mistake mistake);
 surgeon_remedy surgeon_mistake_remedy(surgeon_mistake mistake);
 /* Whether the session says so, after the surgeon has stopped. */
 bool surgeon_mistake_is_reported(surgeon_mistake mistake, vbss_session *session,

@@ -34,7 +34,7 @@ typedef struct surgeon {
     cut_run cut;
     hesitation thinks;
     surgeon_mistake mistake;
-    bool mends;      /* when told of it */
+    bool mends;      /* when the coach names it */
     vec lifted_from; /* by one who tears the drain */
     bool lowers;     /* and goes back there */
     double limit;    /* s, of who is idle; 0: none */
@@ -71,7 +71,7 @@ vbss_result surgeon_create(surgeon *s, const surgeon_options *o);
 /* Hands, devices, scene, and what is seen of it. */
 vbss_result surgeon_step(surgeon *s, double dt);
 /* Does what the coach says of a mistake. (mend.c) */
-void surgeon_mend(surgeon *s, vbss_session_mistake told);
+void surgeon_mend(surgeon *s, vbss_session_mistake coached);
 /* Makes the plan of a throw one with the surgeon's mistake, if that is one in this throw. (mend.c) */
 void surgeon_spoil(const surgeon *s, throw_plan *plan);
 /* As the program knows it. */

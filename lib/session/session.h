@@ -165,7 +165,8 @@ typedef struct session_coach {
 enum { SESSION_GOAL_TOOLS = 4 };
 /* Turns of a grasp that is not judged: more than any winding has. Chosen. */
 #define SESSION_NOT_JUDGED 1e6
-/* The largest number of turns, from a mistake that must be unwound until they are off: what comes off is not lost. */
+/* The largest number of turns, from a mistake that must be unwound until they are off: what comes off is not
+ * lost. Chosen. */
 #define SESSION_TO_BE_UNWOUND (-1.0)
 
 /* ---- assistance */

@@ -427,7 +427,7 @@ static void failures_stay_named(void **state)
     }
 }
 
-static void drain_is_spared_before_it_tears(void **state)
+static void warning_comes_before_the_drain_tears(void **state)
 {
     (void)state;
     rig r;
@@ -495,7 +495,7 @@ int test_coach_mistakes(void)
         cmocka_unit_test(unequal_and_missing_pull_are_named),
         cmocka_unit_test(thread_drawn_through_the_stitch_is_a_pull_at_one_end),
         cmocka_unit_test(slit_is_watched),
-        cmocka_unit_test(drain_is_spared_before_it_tears),
+        cmocka_unit_test(warning_comes_before_the_drain_tears),
         cmocka_unit_test(failures_stay_named),
         cmocka_unit_test(good_task_has_no_mistake),
     };
