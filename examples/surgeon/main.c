@@ -183,17 +183,17 @@ static bool is_made(const watch *w, const surgeon *s, bool whole)
            (!whole || (watch_complete(w) && surgeon_slit_is_shut(s)));
 }
 
-/* Mended, and the last stage made, unless the task has failed. */
+/* Mended, and the last stage made, if that can be. */
 static bool judge_remedy(const watch *w, const surgeon *s)
 {
     const surgeon_mistake mistake = w->options.mistake;
     const bool made = s->stage >= w->options.until && s->stage != SURGEON_FAILED;
     const surgeon_remedy remedy = surgeon_mistake_remedy(mistake);
     const bool good =
-        surgeon_mistake_is_mended(mistake, w->task.session) && (made || remedy == REMEDY_FAILED);
+        surgeon_mistake_is_mended(mistake, w->task.session) && (made || remedy != REMEDY_WORKS);
     printf("  %s: %s: %s\n", surgeon_mistake_name(mistake),
            remedy == REMEDY_WORKS  ? "the coach takes it back"
-           : remedy == REMEDY_NONE ? "the task goes on with it"
+           : remedy == REMEDY_NONE ? "it is named, and stays"
                                    : "the task has failed",
            good ? "so it is" : "NO");
     return good;

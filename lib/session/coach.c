@@ -15,11 +15,12 @@ static void update_goal(session_object *s, const session_observation *observed)
     }
 }
 
-/* Turns toward the tip in the sense that the next throw needs. */
-static double useful_turns(const session_object *s, uint32_t loop)
+/* Turns in the sense that the next throw needs, toward the tip. Jaws that turn to the tail see the turns in any
+ * order, so at a grasp the direction does not count. */
+static double useful_turns(const session_object *s, uint32_t loop, bool grasps)
 {
     double turns = vbss_session_wanted_sign(s) * s->coach.turns[loop];
-    return s->coach.direction[loop] < 0 ? 0.0 : vbss_max(turns, 0.0);
+    return s->coach.direction[loop] < 0 && !grasps ? 0.0 : vbss_max(turns, 0.0);
 }
 
 #define UNWINDING_MISTAKES \
@@ -51,7 +52,8 @@ static void store_facts(session_object *s, const session_observation *observed)
     for (uint32_t i = 0; i < SESSION_HANDS; i++) {
         holding |= (uint32_t)(observed->tools[i].held_arc >= 0.0) << i;
     }
-    store_turns(s, (holding & ~c->holding_thread & 1u << loop) != 0, useful_turns(s, loop));
+    bool grasps = (holding & ~c->holding_thread & 1u << loop) != 0;
+    store_turns(s, grasps, useful_turns(s, loop, grasps));
     c->holding_thread = holding;
     c->throw_count = s->throw_count;
     c->seated_count = s->seated_count;

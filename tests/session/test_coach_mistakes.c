@@ -254,6 +254,7 @@ static void dropped_tail_is_taken_again(void **state)
     rig_to_tail(&r);
     rig_wind(&r, RIG_LEFT, 2.4, 1);
     run(&r);
+    rig_wind(&r, RIG_LEFT, 2.4, -1); /* jaws that turn to the tail see them run the other way */
     rig_hold_thread(&r, RIG_LEFT, 4e-3);
     run(&r);
     expect_none(&r);
