@@ -26,12 +26,14 @@ void throw_mend(throw_run *t, const throw_plan *plan)
 {
     const throw_mistake mistake = t->plan.mistake;
     t->clear = 0.0;
-    if (mistake == THROW_REVERSED || mistake == THROW_TO_HANDLE) {
+    if (mistake == THROW_TO_HANDLE) {
         unwind(t, plan);
         return;
     }
     t->plan = *plan;
-    if (mistake == THROW_COUNTER) { /* on, from the turns that are left */
+    if (mistake == THROW_REVERSED) { /* W comes out of the turns: on its way back C would hook the limb */
+        throw_fail(t, "wound the other way");
+    } else if (mistake == THROW_COUNTER) { /* on, from the turns that are left */
         t->back = false;
         throw_enter(t, THROW_ORBIT);
     } else if (mistake == THROW_BIGHT || mistake == THROW_DROPPED) {
