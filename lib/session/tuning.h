@@ -99,6 +99,9 @@
 /* Load of an anchor of the drain above which the coach warns.
  * Unit: 1, relative to its strength. Origin: chosen: the scripted surgeon reaches 0.7. Test: session.coach_mistakes. */
 #define SESSION_ANCHOR_LOAD VBSS_TUNE(SESSION_ANCHOR_LOAD, 0.8)
+/* A throw is tightened if an end bears this share of the force that seats it; while a tail is drawn through turns, it
+ * bears up to 0.15 N. Unit: 1, relative to seat_force. Origin: chosen. Test: session.coach_mistakes. */
+#define SESSION_TIGHT_RATIO VBSS_TUNE(SESSION_TIGHT_RATIO, 0.5)
 /* Tension below which an end is slack. Unit: N. Origin: chosen. Test: session.coach_mistakes. */
 #define SESSION_SLACK_TENSION VBSS_TUNE(SESSION_SLACK_TENSION, 0.1)
 /* Overlap of the slit's edges beyond which the walls have slipped past each other.
