@@ -31,7 +31,8 @@ void throw_mend(throw_run *t, const throw_plan *plan)
         return;
     }
     t->plan = *plan;
-    if (mistake == THROW_REVERSED) { /* W comes out of the turns: on its way back C would hook the limb */
+    if (mistake ==
+        THROW_REVERSED) { /* W comes out of the turns: on its way back C would hook the limb */
         throw_fail(t, "wound the other way");
     } else if (mistake == THROW_COUNTER) { /* on, from the turns that are left */
         t->back = false;
