@@ -1,4 +1,4 @@
-/* One throw after the other, from what is seen. */
+/* One throw after the other, from the state that the hands see. */
 #include "tie.h"
 
 #include "base/error.h"

@@ -43,7 +43,7 @@ typedef struct tie_hand {
     double tension; /* of the thread in them, smoothed, N */
 } tie_hand;
 
-/* What is seen of the thread: nodes from the limb's end to the tail's. */
+/* The thread as the hands see it: nodes from the limb's end to the tail's. */
 typedef struct tie_thread {
     vbss_thread *thread;
     uint32_t body, count;
@@ -92,19 +92,19 @@ vbss_result tie_feel(tie_hand *h, vbss_scene *scene, const tie_thread *thread);
 vec3 tie_limited(vec3 v, double limit);
 
 /* ---- tie_knot.c */
-/* What the thread is without its tools; finds the roots of limb and tail. */
+/* Reads the knot of the thread without its tools; finds the roots of limb and tail. */
 vbss_result tie_judge(pad_tie *t);
 /* How often the thread is wound about the jaws, with its sign. */
 vbss_result tie_count_turns(pad_tie *t, double *turns);
 
-/* ---- tie_wind.c: what the hands do until the tail is caught */
+/* ---- tie_wind.c: until the tail is caught */
 void tie_take(pad_tie *t);
 void tie_place(pad_tie *t);
 vbss_result tie_wind(pad_tie *t, double dt);
 void tie_reach(pad_tie *t, double dt);
 vbss_result tie_close(pad_tie *t, double dt);
 
-/* ---- tie_pull.c: and from then on */
+/* ---- tie_pull.c: from then on */
 vbss_result tie_draw(pad_tie *t, double dt);
 void tie_lower(pad_tie *t, double dt);
 vbss_result tie_pull(pad_tie *t, double dt);

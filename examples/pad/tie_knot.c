@@ -1,4 +1,4 @@
-/* What the knot detector says of the stitch. */
+/* The knot detector reads the stitch. */
 #include <math.h>
 #include <string.h>
 

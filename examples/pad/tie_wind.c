@@ -9,7 +9,7 @@
 
 static const double behind = 2e-3, shallow = 0.7e-3 /* m, of the thread in jaws from their tip */,
                     first_turn = 11e-3, per_turn = 2e-3 /* m, of turns from the tip */,
-                    neck = 1.3e-3 /* m, radius of what is wound about */,
+                    neck = 1.3e-3 /* m, radius of the jaws with thread about them */,
                     held = 66e-3 /* m, of the limb to where it is taken */,
                     beyond = 0.6 /* rad, that the limb is wound more than it need be */,
                     taut = 0.04 /* N */;
@@ -192,7 +192,7 @@ void tie_reach(pad_tie *t, double dt)
         tie_go(&t->w, vec3_add_scaled(tip, 8e-3, handle), 0.1);
         t->w.opening = t->since > 0.8 ? 0.7 : 0.0;
     } else {
-        /* aims by what is seen: the place between the jaws */
+        /* aims by sight: the place between the jaws */
         const vec3 off = vec3_sub(place, vec3_add_scaled(t->w.tip, deep, t->w.handle));
         tie_go(&t->w, vec3_add(t->w.at, off), 0.03);
         if (vec3_norm(off) < 0.5e-3 || t->since > 2.5) {
