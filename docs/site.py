@@ -47,7 +47,7 @@ def staged(text, page):
         mark, words, target = match.groups()
         path = target.split("#")[0]
         inside = not os.path.normpath(os.path.join(os.path.dirname(page), path)).startswith("..") and \
-            path.endswith((".md", ".png", ".svg"))
+            path.endswith((".md", ".gif", ".png", ".svg"))
         if "://" in target or not path or inside:
             return match.group(0)
         return mark + outside(path, words, page)
@@ -114,7 +114,7 @@ def stage(source, out):
         name = path.relative_to(source / "docs").as_posix()
         if path.suffix == ".md":
             pages[name] = staged(path.read_text(encoding="utf-8"), name)
-        elif path.suffix in (".svg", ".png"):
+        elif path.suffix in (".gif", ".png", ".svg"):
             (work / name).parent.mkdir(parents=True, exist_ok=True)
             shutil.copy(path, work / name)
     add_trees(pages)

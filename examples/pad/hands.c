@@ -5,11 +5,20 @@
 
 #include "base/error.h"
 
-static const double tight[2] = {0.8, 1.0} /* N: of the stitch, of the suture */,
+static const double tight = 0.5 /* N: more would slip the lips over each other */,
+                    returning = 1.5 /* s, of hands that have tied */,
                     speed = 60e-3 /* m/s, of a hand that pulls */, arm = 50.0 /* N/m */;
-static const double stump = 25e-3;    /* m of thread that stays at the needle */
+enum {
+    STUMP = 16, /* nodes of the limb beyond the jaws that hold it, when the needle is cut off */
+    EAR = 14    /* of either end beyond the knot */
+};
 static const double followed = 25e-3; /* m of thread from the skin to the assistant */
 enum { BESIDE_NEEDLE = 4 };           /* segment whose tension the second hand feels */
+
+static double segment_length(const pad_suture *s)
+{
+    return s->length / s->segments;
+}
 
 pad_suture *pad_current(pad *p)
 {
@@ -31,7 +40,7 @@ static vbss_result feel(pad *p)
 /* The second hand goes on with the needle until the thread is tight. */
 static void tighten(pad *p)
 {
-    const double lacking = 1.0 - p->tension / tight[1];
+    const double lacking = 1.0 - p->tension / tight;
     p->pulled += speed * PAD_STEP * fmax(-1.0, fmin(1.0, 4.0 * lacking));
 }
 
@@ -43,39 +52,94 @@ static vbss_result pull_tail(pad *p)
         VBSS_TRY(scripted_take(&p->tail, s->thread, s->segments, arm));
     }
     const vec3 goal = vec3_make(45e-3, 30e-3, pad_place(1) - 35e-3);
-    return scripted_pull_toward(&p->tail, s->thread, goal, tight[1], speed * PAD_STEP);
+    return scripted_pull_toward(&p->tail, s->thread, goal, tight, speed * PAD_STEP);
 }
 
-/* Each over the incision, as a throw would lead them. */
-static vbss_result pull_ends(pad *p)
-{
-    pad_suture *s = &p->sutures[0];
-    for (int i = 0; i < 2; i++) {
-        scripted_pull *end = &p->ends[i];
-        const double side = i == 0 ? -1.0 : 1.0; /* the needle's end leaves the right lip */
-        const vec3 goal = vec3_make(side * 45e-3, 30e-3, pad_place(0) - 30e-3);
-        if (end->attachment == 0) {
-            vbss_view x;
-            VBSS_TRY(vbss_thread_get_view(s->thread, VBSS_THREAD_VIEW_POSITIONS, &x, sizeof x));
-            VBSS_TRY(scripted_take(end, s->thread, i == 0 ? 0 : (uint32_t)x.count - 1, arm));
-        }
-        VBSS_TRY(scripted_pull_toward(end, s->thread, goal, tight[0], speed * PAD_STEP));
-    }
-    return VBSS_OK;
-}
+/* ---- the knot */
 
 /* The needle of the stitch is cut off, and goes with its end of the thread. */
 static vbss_result cut_needle_off(pad *p)
 {
     pad_suture *s = &p->sutures[0];
     const uint32_t end = s->thread_body;
-    VBSS_TRY(vbss_scene_cut_thread(p->scene, end, stump, &s->thread_body));
+    const double place = segment_length(s) * (double)(p->tie.c.node - STUMP);
+    VBSS_TRY(vbss_scene_cut_thread(p->scene, end, place, &s->thread_body));
     VBSS_TRY(vbss_scene_get_thread(p->scene, s->thread_body, &s->thread));
     VBSS_TRY(vbss_scene_remove(p->scene, end));
     VBSS_TRY(vbss_scene_remove(p->scene, s->needle_body));
     s->has_needle = false;
     return VBSS_OK;
 }
+
+/* Both ends of the tied stitch, a little beyond the knot. */
+static vbss_result cut_ends(pad *p)
+{
+    pad_suture *s = &p->sutures[0];
+    const tie_thread *seen = &p->tie.thread;
+    const double limb = segment_length(s) * (double)(seen->limb_root - EAR),
+                 tail = segment_length(s) * (double)(seen->tail_root + EAR);
+    const uint32_t end = s->thread_body;
+    uint32_t rest;
+    VBSS_TRY(vbss_scene_cut_thread(p->scene, end, tail, &rest));
+    VBSS_TRY(vbss_scene_remove(p->scene, rest));
+    VBSS_TRY(vbss_scene_cut_thread(p->scene, end, limb, &s->thread_body));
+    VBSS_TRY(vbss_scene_remove(p->scene, end));
+    return vbss_scene_get_thread(p->scene, s->thread_body, &s->thread);
+}
+
+vbss_result pad_see_stitch(pad *p)
+{
+    return tie_see(&p->tie, p->sutures[0].thread_body, segment_length(&p->sutures[0]));
+}
+
+static vbss_result begin_tie(pad *p)
+{
+    p->is_tying = true;
+    VBSS_TRY(tie_begin(&p->tie, p->context, p->scene, vec3_make(0.0, 0.0, pad_place(0)), p->hands));
+    VBSS_TRY(pad_see_stitch(p));
+    return tie_judge(&p->tie);
+}
+
+static void return_hand(const pad *p, int which, tie_hand *h)
+{
+    scripted_hand goal = p->hands[which];
+    const vec3 centre = pad_direct_hand(p, which, &goal);
+    const pose tool = scripted_tool(&goal, centre);
+    tie_go(h, tool.position, 0.15);
+    h->wanted_turn = tool.orientation;
+    h->opening = pad_hand_is_open(p, which) ? SCRIPTED_OPENING : 0.0;
+}
+
+/* Then both hands go to where the next needle is. */
+static vbss_result tie(pad *p)
+{
+    pad_tie *t = &p->tie;
+    const tie_state before = t->state;
+    const uint32_t body = t->thread.body;
+    VBSS_TRY(pad_see_stitch(p));
+    VBSS_TRY(t->thread.body != body ? tie_judge(t) : VBSS_OK);
+    t->gap = pad_gap(p, pad_place(0));
+    if (t->state == TIE_DONE) {
+        return_hand(p, 0, &t->c);
+        return_hand(p, 1, &t->w);
+    }
+    VBSS_TRY(tie_step(t, PAD_STEP));
+    if (before == TIE_TAKE && t->state == TIE_PLACE) {
+        VBSS_TRY(cut_needle_off(p));
+    } else if (before == TIE_EASE && t->state == TIE_LEAVE) {
+        VBSS_TRY(cut_ends(p));
+    } else if (before == TIE_LEAVE && t->state == TIE_DONE) {
+        p->bite = 1;
+        p->phase = PAD_OFFER;
+        p->since = p->pulled = 0.0;
+    } else if (t->state == TIE_DONE && t->since > returning) {
+        p->is_tying = false;
+        return pad_add_suture(p, 1, scripted_needle(pad_needle_centre(p), pad_needle_turned(p)));
+    }
+    return VBSS_OK;
+}
+
+/* ---- the running suture */
 
 /* Where the running thread leaves the skin towards its needle: arc length, m. */
 static double last_hole(const pad *p)
@@ -106,7 +170,7 @@ static vbss_result follow(pad *p)
     }
     if (p->assistant.attachment != 0) {
         const vec3 goal = vec3_make(-30e-3, 30e-3, pad_place(p->bite - 1) - 30e-3);
-        return scripted_pull_toward(&p->assistant, s->thread, goal, tight[1], speed * PAD_STEP);
+        return scripted_pull_toward(&p->assistant, s->thread, goal, tight, speed * PAD_STEP);
     }
     return VBSS_OK;
 }
@@ -116,20 +180,17 @@ static vbss_result follow(pad *p)
 static vbss_result end_bite(pad *p)
 {
     if (p->bite == 0) {
-        VBSS_TRY(cut_needle_off(p));
+        return begin_tie(p);
     }
     p->bite++;
     p->phase = PAD_OFFER;
-    if (p->bite == 1) {
-        p->pulled = 0.0;
-        VBSS_TRY(pad_add_suture(p, 1, scripted_needle(pad_needle_centre(p), pad_needle_turned(p))));
-    }
     return VBSS_OK;
 }
 
 static vbss_result advance(pad *p, bool *is_done)
 {
-    while (p->since >= pad_phase_time(p->bite, p->phase) - 0.5 * PAD_STEP && !*is_done) {
+    while (p->since >= pad_phase_time(p->bite, p->phase) - 0.5 * PAD_STEP && !*is_done &&
+           !p->is_tying) {
         const bool missed = p->phase == PAD_TURN && p->punctures != 2 * (p->bite + 1); /* a lip */
         p->since = 0.0;
         if (!missed && p->phase + 1 < PAD_PHASES) {
@@ -170,24 +231,29 @@ static vbss_result count_events(pad *p)
     return VBSS_OK;
 }
 
-vbss_result pad_step(pad *p, bool *is_done)
+static vbss_result sew(pad *p)
 {
-    *is_done = false;
-    VBSS_TRY(advance(p, is_done));
-    if (*is_done) {
-        return VBSS_OK;
-    }
     VBSS_TRY(feel(p));
     if (p->phase == PAD_TIGHTEN && p->bite > 0) {
         tighten(p);
     }
     VBSS_TRY(place_hands(p));
-    VBSS_TRY(p->bite > 0 ? pull_ends(p) : VBSS_OK);
     VBSS_TRY(p->bite > 1 || (p->bite == 1 && p->phase == PAD_TIGHTEN) ? pull_tail(p) : VBSS_OK);
-    VBSS_TRY(follow(p));
+    return follow(p);
+}
+
+vbss_result pad_step(pad *p, bool *is_done)
+{
+    *is_done = false;
+    VBSS_TRY(p->is_tying ? VBSS_OK : advance(p, is_done));
+    if (*is_done) {
+        return VBSS_OK;
+    }
+    VBSS_TRY(p->is_tying ? tie(p) : sew(p));
+    *is_done = p->tie.state == TIE_FAILED;
     VBSS_TRY(vbss_scene_step(p->scene, PAD_STEP));
     VBSS_TRY(pad_write_log(p));
-    p->since += PAD_STEP;
+    p->since += p->is_tying ? 0.0 : PAD_STEP;
     p->time += PAD_STEP;
     return count_events(p);
 }

@@ -3,19 +3,23 @@
  *     pad [folder for pictures and log [s between frames of a film]]
  *
  * The pad is a shell of the library with triangles of its own (vbss_drain_surface), held by clamps at its border and by springs below.
- * Two scripted hands drive a needle through both lips, draw the thread after it and pull it tight. The ends of the interrupted stitch
- * are held above the incision in place of a knot; the running suture goes on with a thread of its own. Prints what happens; exits 0 if all
- * eight holes are there, each bite of the suture has narrowed its gap, nothing passed through the skin but by the holes, and the log replays to the
- * same hash. */
+ * Two scripted hands drive a needle through both lips and draw the thread after it. They tie the interrupted stitch with a double throw and two
+ * single ones, and its ends are cut. The running suture has a thread of its own, whose tail is held as by a clamp. Prints what happens;
+ * exits 0 if all eight holes are there, the knot is certified as 2=1=1 in the end, the lips touch at the stitch, each bite of the suture has
+ * narrowed its gap, and nothing passed through the skin but by the holes. */
 #include <inttypes.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "base/elementary.h"
 #include "decimal_point.h"
 #include "pad.h"
 
+/* Lips that touch are 0.40 mm apart, a fifth of their thickness (docs/explanation/drain-contact.md). A tenth more is left to
+ * the height of one over the other. */
+static const double shut = 0.5e-3 /* m */;
 static const double narrowed = 0.9 /* of the gap at a bite */,
                     closed = 0.75 /* of the largest gap */,
                     slack = 0.03 /* N, of a hole without load */;
@@ -54,13 +58,16 @@ static void print_outcome(const pad *p, const pad_outcome *out)
         printf("threads on the %s lip: (%+.3f, %+.3f, %+.3f) N\n", side == 0 ? "left" : "right",
                f.x, f.y, f.z);
     }
-    printf("ends of the stitch %.3f and %.3f N; running suture: tail %.3f N, needle %.3f N\n",
-           r->end_force[0], r->end_force[1], r->end_force[2], r->end_force[3]);
+    printf("running suture: tail %.3f N, needle %.3f N\n", r->end_force[0], r->end_force[1]);
+    const bool is_certified = p->tie.knot.state.verdict == VBSS_KNOT_VERDICT_CERTIFIED;
+    printf("knot of the stitch: %s, %s\n", p->tie.knot.notation,
+           p->tie.why != NULL ? p->tie.why
+           : is_certified     ? "certified"
+                              : "not certified");
     printf("%u punctures, %u holes in the end, %u withdrawn, unthreaded or torn; crossings beside "
            "the holes: %u\n",
            p->punctures, r->hole_count, p->others, out->crossings);
     printf("%" PRIu64 " steps; hash %016" PRIx64 "\n", out->steps, out->hash);
-    fflush(stdout); /* the replay takes as long again */
 }
 
 /* ---- judgement */
@@ -73,7 +80,8 @@ static bool check(bool good, const char *what)
     return good;
 }
 
-/* A hole and the skin beside it hold back no more than a post would, and what a slack thread has. */
+/* A hole and the skin beside it hold back no more than a post would, and what a slack thread has. Not beside the knot, which
+ * lies on one. */
 static bool is_within_capstan(const pad_hole *h)
 {
     const double high = fmax(h->tension[0], h->tension[1]),
@@ -88,6 +96,14 @@ static bool judge(const pad *p, const pad_outcome *out)
                       "not every bite has its two holes");
     good = check(p->others == 0, "something left its hole") && good;
     good = check(out->crossings == 0, "something passed through the skin beside the holes") && good;
+    good =
+        check(p->tie.knot.state.verdict == VBSS_KNOT_VERDICT_CERTIFIED &&
+                  strcmp(p->tie.knot.notation, "2=1=1") == 0,
+              "the stitch has another knot than a double throw and two single ones, all square") &&
+        good;
+    good = check(out->tightened[0] < shut && r->gap[0] < shut,
+                 "the lips do not touch at the stitch") &&
+           good;
     for (uint32_t i = 1; i < PAD_BITES; i++) {
         good = check(out->tightened[i] < narrowed * out->begin.gap[i],
                      "a bite has not narrowed its gap") &&
@@ -96,21 +112,11 @@ static bool judge(const pad *p, const pad_outcome *out)
     good =
         check(r->largest_gap < closed * out->begin.largest_gap, "the incision still gapes") && good;
     for (uint32_t i = 0; i < r->hole_count; i++) {
-        good = check(is_within_capstan(&r->holes[i]),
+        good = check(r->holes[i].suture == 0 || is_within_capstan(&r->holes[i]),
                      "friction of a hole beyond the capstan's bound") &&
                good;
     }
     return check(out->painted, "no pictures") && good;
-}
-
-static bool replays(const char *path, const pad_outcome *out)
-{
-    uint64_t steps, hash;
-    const vbss_result result = pad_replay(path, &steps, &hash);
-    printf("replay: %s, %" PRIu64 " steps, hash %016" PRIx64 "\n", vbss_result_name(result), steps,
-           hash);
-    return check(result == VBSS_OK && steps == out->steps && hash == out->hash,
-                 "the log replays to another hash");
 }
 
 /* ---- program */
@@ -151,8 +157,7 @@ int main(int count, char **words)
         return fail(context, result);
     }
     print_outcome(&p, &out);
-    bool good = check(is_written, "the log cannot be written") && judge(&p, &out);
+    const bool good = check(is_written, "the log cannot be written") && judge(&p, &out);
     (void)vbss_context_destroy(context);
-    good = (options.folder == NULL || replays(path, &out)) && good;
     return good ? 0 : 1;
 }

@@ -130,10 +130,8 @@ vbss_result pad_measure(pad *p, pad_report *r)
 {
     memset(r, 0, sizeof *r);
     measure_skin(p, r);
-    r->end_force[0] = p->ends[0].force;
-    r->end_force[1] = p->ends[1].force;
-    r->end_force[2] = p->tail.force;
-    r->end_force[3] = p->bite > 0 ? p->tension : 0.0;
+    r->end_force[0] = p->tail.force;
+    r->end_force[1] = p->bite > 0 ? p->tension : 0.0;
     VBSS_TRY(measure_holes(p, r));
     return measure_crossings(p, r);
 }

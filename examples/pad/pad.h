@@ -8,6 +8,7 @@
 #include <vblast_ss/vblast_ss.h>
 
 #include "base/linear.h"
+#include "pad/tie.h"
 #include "scripted/hand.h"
 #include "scripted/pull.h"
 
@@ -74,8 +75,9 @@ typedef struct pad {
     pad_sheet sheet;
     pad_suture sutures[PAD_THREADS]; /* the interrupted stitch, the running suture */
     scripted_hand hands[2];          /* drives the needle; takes it over */
-    scripted_pull ends[2];           /* of the interrupted stitch */
-    scripted_pull tail, assistant;   /* of the running suture; the hand that follows it */
+    pad_tie tie;                     /* of the interrupted stitch */
+    bool is_tying;
+    scripted_pull tail, assistant; /* of the running suture; the hand that follows it */
     uint32_t bite;
     pad_phase phase;
     double since;               /* s in the phase */
@@ -106,13 +108,13 @@ bool pad_hand_is_open(const pad *p, int which);
 /* hands.c: a step of the hands and the scene. */
 vbss_result pad_step(pad *p, bool *is_done);
 pad_suture *pad_current(pad *p);
+/* Shows the thread of the stitch as it is to the hands that tie. */
+vbss_result pad_see_stitch(pad *p);
 
 /* log.c */
 vbss_result pad_begin_log(pad *p);
 vbss_result pad_write_log(pad *p);
 vbss_result pad_end_log(pad *p);
-/* Plays a log back without the scene's code: its last hash. */
-vbss_result pad_replay(const char *path, uint64_t *steps, uint64_t *hash);
 
 /* ---- measure.c */
 
@@ -134,7 +136,7 @@ typedef struct pad_report {
     vec3 side_force[2];     /* of the threads on the left and the right lip, N */
     uint32_t crossings;     /* of threads or needle with the skin, away from the holes */
     double lowest, highest; /* node of the skin, m */
-    double end_force[4];    /* of both ends of the stitch, tail and needle end of the suture, N */
+    double end_force[2];    /* of tail and needle end of the running suture, N */
 } pad_report;
 
 vbss_result pad_measure(pad *p, pad_report *r);

@@ -23,7 +23,7 @@ static painter_result add_bodies(painter *p, pad *s, bool with_tools)
         }
     }
     for (int i = 0; i < 2 && with_tools && s->hands[i].tool != NULL && result == PAINTER_OK; i++) {
-        result = scripted_paint_hand(p, s->scene, &s->hands[i], 13e-3);
+        result = scripted_paint_hand(p, s->scene, &s->hands[i], 60e-3);
     }
     return result;
 }
@@ -31,7 +31,7 @@ static painter_result add_bodies(painter *p, pad *s, bool with_tools)
 bool pad_save_picture(pad *s, const char *path, const char *text, bool from_above)
 {
     const painter_camera cameras[2] = {
-        {{0.055, 0.075, 0.075}, {0.0, 0.006, 0.0}, {0.0, 1.0, 0.0}, 0.06, 0.0},
+        {{0.045, 0.075, 0.09}, {0.0, 0.016, 0.0}, {0.0, 1.0, 0.0}, 0.1, 0.0},
         {{0.0, 0.1, 0.0}, {0.0, 0.0, 0.0}, {-1.0, 0.0, 0.0}, 0.05, 0.0}};
     painter *p;
     if (painter_create(900, 640, &p) != PAINTER_OK) {

@@ -4,11 +4,12 @@
 #include "base/error.h"
 #include "pad.h"
 
-static const double thickness = 2e-3 /* m */, young = 0.2e6 /* Pa */, poisson = 0.45;
-/* Of the tissue below the skin, as springs to where it is at rest: a layer of 10 mm with a modulus of 40 kPa. */
-static const double foundation = 4e6 /* N/m^3 */;
-static const double segment = 0.9e-3 /* m, of a thread */, shaft = 1.5e-3 /* m, of a tool */;
-static const double lengths[PAD_THREADS] = {125e-3, 183e-3};
+static const double thickness = 2e-3 /* m */, young = 0.1e6 /* Pa */, poisson = 0.45;
+/* Of the tissue below the skin, as springs to where it is at rest: a layer of 10 mm with a modulus of 20 kPa. */
+static const double foundation = 2e6 /* N/m^3 */;
+static const double segments[PAD_THREADS] = {0.5e-3, 0.9e-3}; /* m: a knot needs shorter ones */
+static const double shaft = 1.5e-3 /* m, of a tool */;
+static const double lengths[PAD_THREADS] = {158e-3, 183e-3};
 
 /* ---- skin */
 
@@ -72,8 +73,8 @@ static vbss_result add_skin(pad *p)
     config.density = 1050.0;
     config.tear_stress = 1e9; /* the clamps hold */
     config.attachment_capacity = PAD_NODES;
-    config.puncture_force = 0.35;
-    config.hole_force = 0.1;
+    config.puncture_force = 0.2;
+    config.hole_force = 0.06;
     config.hole_friction = PAD_FRICTION;
     config.friction = PAD_SKIN_FRICTION;
     VBSS_TRY(vbss_drain_create(p->context, &config, &p->skin));
@@ -107,7 +108,7 @@ static vbss_result add_thread(pad *p, pad_suture *s)
     config.radius = PAD_THREAD_RADIUS;
     config.damping = 10.0;
     config.drag = 10.0; /* in air it would be less; loops come to rest sooner */
-    config.cut_capacity = 1;
+    config.cut_capacity = 3;
     memcpy(config.start, needle.swage, sizeof config.start);
     memset(config.gravity, 0, sizeof config.gravity);
     VBSS_TRY(vbss_thread_create(p->context, &config, &s->thread));
@@ -119,7 +120,7 @@ vbss_result pad_add_suture(pad *p, uint32_t which, pose needle)
 {
     pad_suture *s = &p->sutures[which];
     s->length = lengths[which];
-    s->segments = (uint32_t)(s->length / segment + 0.5);
+    s->segments = (uint32_t)(s->length / segments[which] + 0.5);
     s->has_needle = true;
     VBSS_TRY(add_needle(p, s, needle));
     return add_thread(p, s);

@@ -4,7 +4,7 @@
 
 #include "base/error.h"
 
-static const double places[PAD_BITES] = {-10e-3, -2e-3, 4e-3, 10e-3};
+static const double places[PAD_BITES] = {-7e-3, -1e-3, 4.5e-3, 10e-3};
 static const double height = 4e-3, above = 32e-3; /* m, of the centre over the skin */
 static const double begin = 200.0 * SCRIPTED_DEGREE, driven = 366.0 * SCRIPTED_DEGREE,
                     out = 545.0 * SCRIPTED_DEGREE, over = 560.0 * SCRIPTED_DEGREE; /* of the tip */
@@ -12,10 +12,12 @@ static const double behind[2] = {175.0 * SCRIPTED_DEGREE,
                                  12.0 * SCRIPTED_DEGREE}; /* the tip: the jaws */
 static const double lean = 20.0 * SCRIPTED_DEGREE /* of the shafts */, retreat = 30e-3 /* m */;
 /* To where the needle is drawn from the circle, m; its direction. */
-static const double draw[PAD_BITES] = {68e-3, 114e-3, 82e-3, 52e-3};
+static const double draw[PAD_BITES] = {80e-3, 114e-3, 82e-3, 52e-3};
 /* The stitch away from where the suture begins. */
 static const double draw_directions[2][3] = {{-0.2, 0.85, -0.49}, {-0.25, 0.93, 0.27}},
                     tighten_direction[3] = {-0.85, 0.1, 0.3}; /* then across the incision */
+
+static const double before_tying = 0.3; /* s: the knot pulls the stitch tight */
 
 enum {
     FIRST_OFFERED = 2 /* bite whose needle comes from the one before; others have a fresh one */
@@ -51,7 +53,9 @@ double pad_phase_time(uint32_t bite, pad_phase phase)
     const bool is_fresh = bite < FIRST_OFFERED;
     const bool is_left_out =
         is_fresh && (phase == PAD_OFFER || phase == PAD_GIVE || phase == PAD_WITHDRAW);
-    return is_left_out ? 0.0 : phases[phase].seconds;
+    return is_left_out                         ? 0.0
+           : bite == 0 && phase == PAD_TIGHTEN ? before_tying
+                                               : phases[phase].seconds;
 }
 
 double pad_place(uint32_t bite)

@@ -4,7 +4,7 @@
 #include "pad.h"
 
 static const double column_x[PAD_COLUMNS] = {0.0, 2e-3, 4.5e-3, 7.5e-3, 11.5e-3, 17e-3};
-static const double row_spacing = 3e-3, opening = 2e-3; /* m; of the incision in its middle */
+static const double row_spacing = 3e-3, opening = 1.2e-3; /* m; of the incision in its middle */
 
 static bool is_shared(uint32_t row)
 {

@@ -1,6 +1,6 @@
 /* A stitch in the tissue of a host.
  *
- *     sewing [folder for pictures]
+ *     sewing [folder for pictures [s between frames of a film]]
  *
  * The tissue is the host's own: 720 linear tetrahedra in implicit steps (host_tissue/fem.c). Its surface is a host surface of the scene.
  * Two scripted hands drive a needle through it, in and out, draw the thread after it, and pull at both of its ends. Prints what
@@ -9,6 +9,7 @@
 #include <inttypes.h>
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "decimal_point.h"
@@ -50,14 +51,15 @@ static painter_result paint(painter *p, const sewing *s, const char *text)
     return result != PAINTER_OK ? result : painter_add_text(p, 16.0, 28.0, text, PAINTER_BLACK);
 }
 
-static bool save(const char *folder, int number, const sewing *s)
+static bool save(const char *folder, const char *format, int number, const sewing *s)
 {
-    char path[512], text[96];
+    char name[32], path[512], text[96];
     painter *p;
     if (painter_create(900, 640, &p) != PAINTER_OK) {
         return false;
     }
-    snprintf(path, sizeof path, "%s/%02d.png", folder, number);
+    snprintf(name, sizeof name, format, number);
+    snprintf(path, sizeof path, "%s/%s", folder, name);
     snprintf(text, sizeof text, "%.2f s: %s", s->time, sewing_phase(s));
     const bool good = paint(p, s, text) == PAINTER_OK && painter_write_png(p, path) == PAINTER_OK;
     if (!good) {
@@ -77,12 +79,12 @@ static void report(const sewing *s, const sewing_report *r)
            1e3 * r->highest, 1e3 * r->apart, r->crossings);
 }
 
-static vbss_result run(sewing *s, const char *folder, sewing_report *last, uint32_t *crossings,
-                       bool *painted)
+static vbss_result run(sewing *s, const char *folder, double interval, sewing_report *last,
+                       uint32_t *crossings, bool *painted)
 {
     bool is_done = false;
     vbss_result result = VBSS_OK;
-    int pictures = 0;
+    int pictures = 0, frames = 0;
     *crossings = 0;
     *painted = true;
     for (int step = 1; result == VBSS_OK && !is_done; step++) {
@@ -91,7 +93,10 @@ static vbss_result run(sewing *s, const char *folder, sewing_report *last, uint3
             result = sewing_measure(s, last);
             *crossings += last->crossings;
             report(s, last);
-            *painted = *painted && (folder == NULL || save(folder, ++pictures, s));
+            *painted = *painted && (folder == NULL || save(folder, "%02d.png", ++pictures, s));
+        }
+        if (result == VBSS_OK && interval > 0.0 && s->time >= frames * interval) {
+            *painted = *painted && save(folder, "frame-%04d.png", frames++, s);
         }
     }
     return result;
@@ -106,13 +111,15 @@ int main(int count, char **words)
     uint32_t crossings = 0;
     uint64_t hash = 0;
     bool painted = false;
-    if (count > 2 || vbss_context_create(NULL, &context) != VBSS_OK) {
-        fprintf(stderr, "usage: sewing [folder for pictures]\n");
+    const double interval = count > 2 ? strtod(words[2], NULL) : 0.0;
+    if (count > 3 || vbss_context_create(NULL, &context) != VBSS_OK) {
+        fprintf(stderr, "usage: sewing [folder for pictures [s between frames of a film]]\n");
         return 2;
     }
     vbss_result result = sewing_create(context, &s);
     if (result == VBSS_OK) {
-        result = run(&s, count == 2 ? words[1] : NULL, &r, &crossings, &painted);
+        const char *folder = count > 1 ? words[1] : NULL;
+        result = run(&s, folder, interval, &r, &crossings, &painted);
     }
     result = result == VBSS_OK ? vbss_scene_get_hash(s.scene, &hash) : result;
     if (result != VBSS_OK) {

@@ -1,6 +1,6 @@
 /* A ligature: a double throw is drawn tight round a vessel that lies on a pelvis-like surface.
  *
- *     vessel [folder for pictures]
+ *     vessel [folder for pictures [s between frames of a film]]
  *
  * The vessel is a tube of the shell, the surface a static mesh of 4,608 triangles, the thread a suture of its own. Two hands pull
  * at its ends. Prints lumen and forces; exits 0 if the vessel is shut and the thread has stayed above the surface. */
@@ -8,6 +8,7 @@
 #include <math.h>
 #include <stdbool.h>
 #include <stdio.h>
+#include <stdlib.h>
 
 #include "decimal_point.h"
 #include "painter/painter.h"
@@ -76,9 +77,11 @@ static void report(const vessel_scene *s, int step)
 }
 
 /* `clearance`: the smallest of those that are told, m. */
-static vbss_result run(vessel_scene *s, const char *folder, double *clearance, bool *painted)
+static vbss_result run(vessel_scene *s, const char *folder, double interval, double *clearance,
+                       bool *painted)
 {
     vbss_result result = VBSS_OK;
+    int frames = 0;
     *painted = folder == NULL || save(folder, "loose", s);
     *clearance = vessel_clearance(s);
     for (int step = 1; step <= STEPS && result == VBSS_OK; step++) {
@@ -86,6 +89,11 @@ static vbss_result run(vessel_scene *s, const char *folder, double *clearance, b
         *clearance = fmin(*clearance, vessel_clearance(s));
         if (step % EVERY == 0) {
             report(s, step);
+        }
+        if (interval > 0.0 && step * VESSEL_STEP >= frames * interval) {
+            char name[32];
+            snprintf(name, sizeof name, "frame-%04d", frames++);
+            *painted = *painted && save(folder, name, s);
         }
     }
     *painted = *painted && (folder == NULL || save(folder, "tied", s));
@@ -101,13 +109,15 @@ int main(int count, char **words)
     uint64_t hash = 0;
     bool painted = false;
     double clearance = 0.0;
-    if (count > 2 || vbss_context_create(NULL, &context) != VBSS_OK) {
-        fprintf(stderr, "usage: vessel [folder for pictures]\n");
+    const double interval = count > 2 ? strtod(words[2], NULL) : 0.0;
+    if (count > 3 || vbss_context_create(NULL, &context) != VBSS_OK) {
+        fprintf(stderr, "usage: vessel [folder for pictures [s between frames of a film]]\n");
         return 2;
     }
     vbss_result result = vessel_create(context, &s);
-    result =
-        result == VBSS_OK ? run(&s, count == 2 ? words[1] : NULL, &clearance, &painted) : result;
+    if (result == VBSS_OK) {
+        result = run(&s, count > 1 ? words[1] : NULL, interval, &clearance, &painted);
+    }
     result =
         result == VBSS_OK ? vbss_scene_get_statistics(s.scene, &counted, sizeof counted) : result;
     result = result == VBSS_OK ? vbss_scene_get_hash(s.scene, &hash) : result;

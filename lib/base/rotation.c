@@ -28,6 +28,9 @@ vec3 vbss_quat_to_rotation_vector(quat q)
         q = quat_make(-q.w, -q.x, -q.y, -q.z);
     }
     vec3 axis = vec3_make(q.x, q.y, q.z);
+    if (axis.x == 0.0 && axis.y == 0.0 && axis.z == 0.0 && q.w > 0.0) {
+        return axis; /* as below, with the signs of the zeros: bodies at rest have them */
+    }
     double sine = vec3_norm(axis);
     /* For a small angle: 2 atan2(s, w)/s = 2/w (1 - (s/w)^2/3 + ...). */
     double factor = sine < 1e-5 * q.w ? (2.0 - 2.0 / 3.0 * sine * sine / (q.w * q.w)) / q.w

@@ -1,6 +1,7 @@
 /* Makes a mesh a posed one, and sets its motion. */
 #include "base/error.h"
 #include "collision/shapes.h"
+#include "collision/tuning.h"
 
 static void set_local_boxes(collision_shape *s, collision_posed *p)
 {
@@ -15,6 +16,7 @@ static void set_local_boxes(collision_shape *s, collision_posed *p)
     }
     p->centre = vec3_scale(vec3_add(low, high), 0.5);
     p->half = vec3_scale(vec3_sub(high, low), 0.5);
+    p->reach = (1.0 + COLLISION_CUBE_PADDING) * (vec3_norm(p->centre) + vec3_norm(p->half));
     vbss_collision_shape_invalidate_trees(s);
     vbss_collision_shape_refit_points(s);
     vbss_collision_shape_refit_edges(s);

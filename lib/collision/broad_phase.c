@@ -38,7 +38,7 @@ static void update_shapes(collision_object *c)
         if (s->posed == NULL) {
             vbss_collision_shape_update_boxes(s);
         } else {
-            vbss_collision_update_posed_box(s);
+            vbss_collision_update_posed_cube(s);
             has_posed = true;
         }
     }

@@ -150,18 +150,24 @@ void vbss_collision_set_end_pose(collision_shape *s, pose end)
     }
 }
 
-static bool is_same_pose(pose a, pose b)
+static bool is_same_pose(const pose *a, const pose *b)
 {
-    return vec3_distance(a.position, b.position) == 0.0 && a.orientation.w == b.orientation.w &&
-           a.orientation.x == b.orientation.x && a.orientation.y == b.orientation.y &&
-           a.orientation.z == b.orientation.z;
+    return a->position.x == b->position.x && a->position.y == b->position.y &&
+           a->position.z == b->position.z && a->orientation.w == b->orientation.w &&
+           a->orientation.x == b->orientation.x && a->orientation.y == b->orientation.y &&
+           a->orientation.z == b->orientation.z;
+}
+
+bool vbss_collision_begins_at(const collision_shape *s, const pose *at)
+{
+    return is_same_pose(&s->posed->start, at);
 }
 
 /* Bound of the magnitude of each component of the displacement of any node from one pose to another. */
 static vec3 largest_components(const collision_shape *s, pose from, pose to)
 {
     const collision_posed *p = s->posed;
-    if (is_same_pose(from, to)) {
+    if (is_same_pose(&from, &to)) {
         return vec3_zero();
     }
     const mat3 map = mat3_sub(quat_to_mat3(to.orientation), quat_to_mat3(from.orientation));
@@ -183,6 +189,25 @@ double vbss_collision_largest_distance(const collision_shape *s, pose from, pose
 }
 
 /* ---- searches */
+
+/* A cube around all places of the nodes, whatever the orientations: a twentieth of the cost of the box. */
+void vbss_collision_update_posed_cube(collision_shape *s)
+{
+    const collision_posed *p = s->posed;
+    const vec3 moved = vec3_sub(p->end.position, p->start.position);
+    const vec3 end = vec3_add_scaled(p->start.position, p->extrapolation, moved);
+    const double start_at[3] = {p->start.position.x, p->start.position.y, p->start.position.z};
+    const double end_at[3] = {end.x, end.y, end.z};
+    const double reach =
+        p->reach * (fabs(1.0 - p->extrapolation) + p->extrapolation) + s->inflation;
+    for (int k = 0; k < 3; k++) {
+        const double pad =
+            COLLISION_CUBE_PADDING * (fabs(start_at[k]) + fabs(end_at[k]) + largest_of(moved));
+        s->root.low[k] = vbss_min(start_at[k], end_at[k]) - (reach + pad);
+        s->root.high[k] = vbss_max(start_at[k], end_at[k]) + (reach + pad);
+    }
+    s->loose_root = s->root;
+}
 
 void vbss_collision_update_posed_box(collision_shape *s)
 {
@@ -223,7 +248,18 @@ static bool do_overlap(const collision_aabb *a, const collision_aabb *b)
     return overlap;
 }
 
-/* The pairs of a posed mesh are listed again in every search, as long as there may be some. */
+static bool is_near_others(const collision_object *c, const collision_shape *s)
+{
+    bool is_near = false;
+    for (uint32_t i = 0; i < c->active_count && !is_near; i++) {
+        const collision_shape *other = c->shapes[c->active_shapes[i]];
+        is_near = other->posed == NULL && do_overlap(&s->root, &other->loose_root);
+    }
+    return is_near;
+}
+
+/* The pairs of a posed mesh are listed again in every search, as long as there may be some. The box is inside the cube, so
+ * it is not needed where nothing is in that. */
 void vbss_collision_find_near_posed(collision_object *c)
 {
     for (uint32_t i = 0; i < c->active_count; i++) {
@@ -231,10 +267,10 @@ void vbss_collision_find_near_posed(collision_object *c)
         if (s->posed == NULL) {
             continue;
         }
-        bool is_near = false;
-        for (uint32_t k = 0; k < c->active_count && !is_near; k++) {
-            const collision_shape *other = c->shapes[c->active_shapes[k]];
-            is_near = other->posed == NULL && do_overlap(&s->root, &other->loose_root);
+        bool is_near = is_near_others(c, s);
+        if (is_near) {
+            vbss_collision_update_posed_box(s);
+            is_near = is_near_others(c, s);
         }
         s->posed->was_near = s->posed->is_near;
         s->posed->is_near = is_near;

@@ -107,6 +107,7 @@ typedef struct collision_posed {
     /* Nodes move along straight lines by this multiple of their displacements from start to end. */
     double extrapolation;
     vec3 centre, half; /* box around `local`, without inflation: its centre and half its sides, m */
+    double reach; /* largest distance of a corner of it from the origin of the frame, or more, m */
     vec3 moved_low, moved_high; /* bounds of the displacements, in the frame of the start, m */
     /* Poses of the start of the last two searches: of the present one and of that before. */
     pose searched, previous;
@@ -212,11 +213,14 @@ void vbss_collision_set_end_pose(collision_shape *shape, pose end);
  * norm. 0 for equal poses. */
 double vbss_collision_largest_offset(const collision_shape *shape, pose from, pose to);
 double vbss_collision_largest_distance(const collision_shape *shape, pose from, pose to);
+/* Whether a motion begins at a pose, to the bit. */
+bool vbss_collision_begins_at(const collision_shape *shape, const pose *at);
 
 /* Begins a set of nodes, of which none has positions yet. */
 void vbss_collision_begin_posed_set(collision_shape *shape);
-/* Steps of a search: updates the box of the whole mesh; begins the set of its nodes; finds out whether other
+/* Steps of a search: updates a cube around the whole mesh, or its box; begins the set of its nodes; finds out whether other
  * shapes are near. */
+void vbss_collision_update_posed_cube(collision_shape *shape);
 void vbss_collision_update_posed_box(collision_shape *shape);
 void vbss_collision_begin_posed_search(collision_shape *shape);
 void vbss_collision_find_near_posed(collision_object *c);

@@ -59,6 +59,9 @@
  * Unit: 1, relative to the coordinates. Origin: derived, a hundred times the errors of some ten products.
  * Test: none known. */
 #define COLLISION_POSED_PADDING VBSS_TUNE(COLLISION_POSED_PADDING, 1e-12)
+/* A cube around a mesh is larger by this much, so that it contains the padded boxes.
+ * Unit: 1, relative to the coordinates. Origin: chosen, a thousand times COLLISION_POSED_PADDING. Test: none known. */
+#define COLLISION_CUBE_PADDING VBSS_TUNE(COLLISION_CUBE_PADDING, 1e-9)
 
 /* ---- Baseline (baseline/response.c) */
 

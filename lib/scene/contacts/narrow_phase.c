@@ -115,6 +115,22 @@ static void get_mesh_vertices(const side *d, scene_vertices x, vec3 vertices[3])
     }
 }
 
+/* At the start of the motion the shape has the positions of all nodes of listed pairs. They have the same bits as those that the pose
+ * gives. */
+static void get_posed_vertices(const side *d, const collision_shape *shape, const pose *at,
+                               vec3 vertices[3])
+{
+    const collision_posed *p = shape->posed;
+    for (uint32_t k = 0; k < d->vertex_count; k++) {
+        const uint32_t n = d->nodes[k];
+        vertices[k] =
+            p->mark[n] == p->present_mark ? shape->start[n] : pose_apply(*at, p->local[n]);
+    }
+    if (d->vertex_count == 1) {
+        vertices[1] = vertices[0];
+    }
+}
+
 /* Vertices of a mesh. The motion of a host surface is known, and needs no prediction. */
 static scene_vertices mesh_vertices(const scene_object *s, const scene_body *b, moment when)
 {
@@ -151,6 +167,9 @@ static void get_vertices(const scene_object *s, const side *d, moment when, vec3
     } else if (b->kind == SCENE_BODY_DRAIN) {
         const drain_object *own = b->drain.drain;
         get_surface_vertices(d, trial ? own->trial : own->x, vertices);
+    } else if (d->capsule == NULL && when == AT_START && scene_is_rigid_mesh(b) &&
+               vbss_collision_begins_at(s->collision->shapes[b->shape], &b->rigid.body.now.pose)) {
+        get_posed_vertices(d, s->collision->shapes[b->shape], &b->rigid.body.now.pose, vertices);
     } else if (d->capsule == NULL) {
         get_mesh_vertices(d, mesh_vertices(s, b, when), vertices);
     } else {
