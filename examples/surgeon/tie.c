@@ -108,7 +108,8 @@ static void lead_thread(surgeon *s)
     const senses *e = &s->see;
     vec to = v_sub(s->tie.plan.wrap_tip, e->held_c);
     vec inward = v_unit(v_across(to, e->tool_c.handle));
-    roll(s, v_sub(e->held_c, e->tool_c.tip), v_along(v3(0.0, -inward.z, inward.y), INWARD, inward));
+    vec ahead = v_scale(s->tie.plan.wrong ? -1.0 : 1.0, v3(0.0, -inward.z, inward.y));
+    roll(s, v_sub(e->held_c, e->tool_c.tip), v_along(ahead, INWARD, inward));
     if (s->tie.state == THROW_PLACE) { /* the limb stays below W, however the needle turns */
         vec below = v3(0.004, -0.024, s->tie.plan.wrap_tip.z - 0.01);
         hand_go(e->c, steer_tip_of(&s->tie, below), 0.12);
