@@ -324,8 +324,8 @@ static contact_outcome iterate_active_set(contact_set *set,
             progress->has_lagged = true;
         }
         if (outcome == CONTACT_NOT_CONVERGED) {
-            double fraction = advance_iterates(
-                set, options, first && !options->starts_from_current, progress->has_softened);
+            double fraction = advance_iterates(set, options, first && !options->starts_from_current,
+                                               progress->has_softened);
             progress->imbalance_left *= 1.0 - fraction;
             if (is_limit_reached(set, options)) {
                 vbss_system_accept_line_search(options->system);
