@@ -1,5 +1,5 @@
-/* Throws, by the words of the coach. What the coach does not say is how tools are held for winding and where the hand without
- * the goal goes; the guide "By mouse" does. */
+/* Throws, by the words of the coach. What the coach does not say is how tools are held and where the hand without the goal goes;
+ * the guide "By mouse" does. */
 #include "trainee/trainee.h"
 
 #include <math.h>
@@ -111,42 +111,28 @@ static bool take_tail(trainee *t, int loop)
     return true;
 }
 
-/* Of a point, seen from the slit. */
-static vec on_path(const vbss_session_coaching *c, double radius, double angle)
-{
-    vec own = v_load(c->direction), up = v_cross(own, v_load(c->arc_axis));
-    return v_along(v_along(v_load(c->point), radius * cos(angle), own), radius * sin(angle), up);
-}
-
-/* The next place on the path that the coach shows: along its arc, then to the hand's own side. */
-static vec next_on_path(const vbss_session_coaching *c, vec tip)
-{
-    bool has_arc = (c->geometry & (uint32_t)VBSS_SESSION_GEOMETRY_ARC) != 0;
-    if (!has_arc || c->arc_angle * c->arc_radius < DRAWN) {
-        double out = v_dot(v_sub(tip, v_load(c->point)), v_load(c->direction));
-        return v_along(v_load(c->point), out + DRAWN, v_load(c->direction));
-    }
-    return on_path(c, c->arc_radius, c->arc_angle - DRAWN / c->arc_radius);
-}
-
 /* The limb is slack over the slit, and the tail goes over it to its own side; past
- * the slit the jaws point back. */
+ * the slit the jaws point inward. */
 static bool draw_tail(trainee *t, int loop)
 {
     double side = side_of(loop);
     bool turned = false;
-    vec over = v_add(point_of(t), v3(-15e-3 * side, 10e-3, 30e-3));
+    vec slit = point_of(t), over = v_add(slit, v3(-15e-3 * side, 10e-3, 30e-3));
     if (!trainee_go(t, 1 - loop, over, 5e-3)) {
         return false;
     }
+    vec arm = v_sub(trainee_see(t)->tip[loop], slit);
+    double radius = sqrt(arm.x * arm.x + arm.z * arm.z), angle = atan2(arm.z, side * arm.x);
+    angle += angle < -0.5 * HALF_TURN ? 2.0 * HALF_TURN : 0.0;
     for (int i = 0; i < 40 && is_goal(t, VBSS_SESSION_GOAL_DRAW_TAIL); i++) {
-        const vbss_session_coaching c = trainee_see(t)->coach;
-        vec back = v_scale(-1.0, v_load(c.direction));
-        if (!turned && c.arc_angle < 0.5 * HALF_TURN) {
-            turned = trainee_turn(t, loop, back); /* or the last turn hangs on them */
+        if (!turned && angle < 0.5 * HALF_TURN) {
+            turned =
+                trainee_turn(t, loop, v3(-side, 0.0, 0.0)); /* or the last turn hangs on them */
         }
-        vec tip = trainee_see(t)->tip[loop];
-        if (!trainee_move(t, loop, v_sub(next_on_path(&c, tip), tip))) {
+        radius += angle > 0.0 ? 0.0 : DRAWN;
+        angle -= angle > 0.0 ? DRAWN / radius : 0.0;
+        vec to = v_add(slit, v3(side * radius * cos(angle), 0.0, radius * sin(angle)));
+        if (!trainee_move(t, loop, v_sub(to, trainee_see(t)->tip[loop]))) {
             return false;
         }
         trainee_say(t, "drawn");
