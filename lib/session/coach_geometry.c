@@ -312,13 +312,24 @@ static void describe_tail(const session_object *s, const session_observation *ob
     c->distance = distance_from_jaws(s, observed, goal.tool, p.position);
 }
 
+/* The path of the tail: from the jaws in an arc over the slit down to the side of the hand. There the arc ends, and the
+ * direction remains. */
 static void describe_tail_drawing(const session_object *s, const session_observation *observed,
                                   session_goal goal, vbss_session_coaching *c)
 {
     const task_frame f = read_frame(s, observed);
+    const vec3 own = own_side(&f, goal.tool),
+               from = vec3_sub(observed->tools[goal.tool].tip, f.slit);
+    const double along = vec3_dot(from, own), above = vec3_dot(from, f.up);
+    double angle = vbss_atan2(above, along);
+    angle += angle < -0.5 * VBSS_PI ? VBSS_TWO_PI : 0.0; /* low on the other side */
     c->number = vbss_session_next_throw(s);
     set_point(c, f.slit);
-    set_direction(c, own_side(&f, goal.tool));
+    set_direction(c, own);
+    if (angle > 0.0) {
+        const vec3 arm = vec3_add_scaled(vec3_scale(own, along), above, f.up);
+        set_arc(c, f.slit, vec3_cross(f.up, own), vec3_add(f.slit, arm), vec3_norm(arm), angle);
+    }
     c->turns = fabs(s->coach.turns[goal.tool]);
 }
 

@@ -40,12 +40,14 @@ static const char *const goals[VBSS_SESSION_GOAL_CUT + 1][WORDS_HANDS] = {
         EITHER("Draw the thread through slowly with the ", " tool until the tail is short."),
     [VBSS_SESSION_GOAL_LENGTHEN_TAIL] = EITHER(
         "The tail is too short: draw some thread back at the first hole with the ", " tool."),
-    [VBSS_SESSION_GOAL_TAKE_TAIL] = EITHER("Take the tail close to its end with the ",
-                                           " tool, and keep the turns on its jaws."),
+    [VBSS_SESSION_GOAL_TAKE_TAIL] =
+        EITHER("Take the tail close to its end from above with the ",
+               " tool, its jaws down and inward, and keep the turns on them."),
     [VBSS_SESSION_GOAL_RELEASE_TAIL] = EITHER("Open the ", " tool and let go of the tail."),
-    [VBSS_SESSION_GOAL_DRAW_TAIL] =
-        EITHER("Draw the tail through the turns with the ",
-               " tool, out to its own side, and give way with the other hand."),
+    [VBSS_SESSION_GOAL_DRAW_TAIL] = EITHER(
+        "Draw the tail through the turns with the ",
+        " tool, over the slit to its own side, where its jaws point back, and give way with the "
+        "other hand."),
     [VBSS_SESSION_GOAL_SEAT] = EITHER("Pull both ends apart, low and equally hard, the ",
                                       " tool to its own side, until the slit is closed."),
     [VBSS_SESSION_GOAL_HAND_OVER] =

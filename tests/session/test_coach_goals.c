@@ -2,6 +2,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/rotation.h"
 #include "rig.h"
 
 #define LENGTH 0.15
@@ -65,6 +66,34 @@ static void stitch_goals_follow_the_needle(void **state)
     rig_end(&r);
 }
 
+static vec3 on_arc(const vbss_session_coaching *c, double angle)
+{
+    vec3 arm = vec3_sub(vec3_load(c->arc_start), vec3_load(c->arc_centre));
+    quat turn = vbss_quat_from_rotation_vector(vec3_scale(vec3_load(c->arc_axis), angle));
+    return vec3_add(vec3_load(c->arc_centre), quat_rotate(turn, arm));
+}
+
+/* From the jaws, which rest far off, it goes over the slit to as far on the side of the hand. */
+static void expect_path_of_tail(const rig *r)
+{
+    vbss_grasper_state tool;
+    const vbss_session_coaching c = rig_coaching(r);
+    expect_ok(vbss_grasper_get_state(r->scene.tools[RIG_LEFT], &tool, sizeof tool));
+    const vec3 slit = vec3_load(c.point), own = vec3_load(c.direction);
+    const vec3 from = vec3_sub(vec3_load(tool.position), slit),
+               up = vec3_cross(own, vec3_load(c.arc_axis)); /* out of the tissue */
+    const double along = vec3_dot(from, own), above = vec3_dot(from, up);
+    expect_near(1.0, vec3_norm(up), 1e-12);
+    assert_true(vec3_dot(slit, up) > 0.0); /* the drain lies about the origin */
+    assert_true((c.geometry & (uint32_t)VBSS_SESSION_GEOMETRY_ARC) != 0);
+    expect_near(sqrt(along * along + above * above), c.arc_radius, 1e-9);
+    vec3 start = vec3_add_scaled(vec3_add_scaled(slit, along, own), above, up);
+    expect_near(0.0, vec3_distance(start, on_arc(&c, 0.0)), 1e-9);
+    vec3 end = vec3_add_scaled(slit, c.arc_radius, own);
+    expect_near(0.0, vec3_distance(end, on_arc(&c, c.arc_angle)), 1e-9);
+    assert_true(vec3_dot(vec3_sub(on_arc(&c, 0.5 * c.arc_angle), slit), up) > 0.0);
+}
+
 static void throw_goals_follow_the_thread(void **state)
 {
     (void)state;
@@ -87,6 +116,7 @@ static void throw_goals_follow_the_thread(void **state)
     rig_hold_thread(&r, RIG_LEFT, 4e-3);
     run(&r);
     rig_expect_goal(&r, VBSS_SESSION_GOAL_DRAW_TAIL, VBSS_METRICS_TOOL_LEFT);
+    expect_path_of_tail(&r);
     const double arc = r.observation.holes[0].arc;
     rig_thread_through(&r, RIG_ENTRY, arc - 20e-3); /* drawing makes it long */
     rig_wind(&r, RIG_LEFT, 0.5, 1);
