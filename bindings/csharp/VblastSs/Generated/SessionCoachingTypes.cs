@@ -79,8 +79,9 @@ namespace VblastSs
         /// <summary>The hand opens its jaws and releases the thread. POINT: the tool's tip.</summary>
         ReleaseTail = 13,
         /// <summary>
-        /// The hand draws the tail through the turns. POINT: the slit; DIRECTION: to pull; `turns`
-        /// that are still on its jaws.
+        /// The hand draws the tail through the turns. POINT: the slit; DIRECTION: to pull; ARC:
+        /// from the tool's tip over the slit down to its own side, where the arc is no longer
+        /// given; `turns` that are still on its jaws.
         /// </summary>
         DrawTail = 14,
         /// <summary>

@@ -58,8 +58,9 @@ class SessionGoal(IntEnum):
     RELEASE_TAIL = 13
     """The hand opens its jaws and releases the thread. POINT: the tool's tip."""
     DRAW_TAIL = 14
-    """The hand draws the tail through the turns. POINT: the slit; DIRECTION: to pull; `turns` that
-    are still on its jaws."""
+    """The hand draws the tail through the turns. POINT: the slit; DIRECTION: to pull; ARC: from
+    the tool's tip over the slit down to its own side, where the arc is no longer given; `turns`
+    that are still on its jaws."""
     SEAT = 15
     """Both hands pull throw `number` down, the hand in DIRECTION and the other one opposite, each
     with `pull_force`. POINT: the slit; `force` that the weaker end misses to that; `length`:

@@ -56,8 +56,9 @@ pub const VBSS_SESSION_GOAL_WIND: vbss_session_goal = 11;
 pub const VBSS_SESSION_GOAL_TAKE_TAIL: vbss_session_goal = 12;
 /// The hand opens its jaws and releases the thread. POINT: the tool's tip.
 pub const VBSS_SESSION_GOAL_RELEASE_TAIL: vbss_session_goal = 13;
-/// The hand draws the tail through the turns. POINT: the slit; DIRECTION: to pull; `turns` that are
-/// still on its jaws.
+/// The hand draws the tail through the turns. POINT: the slit; DIRECTION: to pull; ARC: from the tool's
+/// tip over the slit down to its own side, where the arc is no longer given; `turns` that are still on its
+/// jaws.
 pub const VBSS_SESSION_GOAL_DRAW_TAIL: vbss_session_goal = 14;
 /// Both hands pull throw `number` down, the hand in DIRECTION and the other one opposite, each with
 /// `pull_force`. POINT: the slit; `force` that the weaker end misses to that; `length`: gap of the
