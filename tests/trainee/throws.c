@@ -176,30 +176,30 @@ static bool seat(trainee *t, int loop, double home)
     return true;
 }
 
+bool lesson_throw_part(trainee *t)
+{
+    const vbss_session_coaching *c = &trainee_see(t)->coach;
+    int actor = c->tool == VBSS_METRICS_TOOL_LEFT ? LEFT : RIGHT;
+    trainee_say(t, "throw");
+    if (is_goal(t, VBSS_SESSION_GOAL_WIND)) {
+        return take_places(t, actor) && wind(t, actor);
+    }
+    if (is_goal(t, VBSS_SESSION_GOAL_TAKE_TAIL)) {
+        return take_tail(t, actor);
+    }
+    if (is_goal(t, VBSS_SESSION_GOAL_DRAW_TAIL)) {
+        t->home = point_of(t).x;
+        return draw_tail(t, actor);
+    }
+    if (is_goal(t, VBSS_SESSION_GOAL_SEAT)) {
+        return seat(t, actor, t->home);
+    }
+    return is_goal(t, VBSS_SESSION_GOAL_RELEASE_TAIL) && trainee_jaws(t, actor, false);
+}
+
 void lesson_throw(trainee *t)
 {
     (void)trainee_finish_motion(t);
-    for (int i = 0; i < 30; i++) {
-        const vbss_session_coaching *c = &trainee_see(t)->coach;
-        int actor = c->tool == VBSS_METRICS_TOOL_LEFT ? LEFT : RIGHT;
-        bool good = true;
-        trainee_say(t, "throw");
-        if (is_goal(t, VBSS_SESSION_GOAL_WIND)) {
-            good = take_places(t, actor) && wind(t, actor);
-        } else if (is_goal(t, VBSS_SESSION_GOAL_TAKE_TAIL)) {
-            good = take_tail(t, actor);
-        } else if (is_goal(t, VBSS_SESSION_GOAL_DRAW_TAIL)) {
-            t->home = point_of(t).x;
-            good = draw_tail(t, actor);
-        } else if (is_goal(t, VBSS_SESSION_GOAL_SEAT)) {
-            good = seat(t, actor, t->home);
-        } else if (is_goal(t, VBSS_SESSION_GOAL_RELEASE_TAIL)) {
-            good = trainee_jaws(t, actor, false);
-        } else {
-            return;
-        }
-        if (!good) {
-            return;
-        }
+    for (int i = 0; i < 30 && lesson_throw_part(t); i++) {
     }
 }

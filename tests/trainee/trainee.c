@@ -2,6 +2,7 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #define FRAME 0.016
@@ -59,6 +60,7 @@ static void observe(trainee *t)
     }
     (void)vbss_needle_get_state(of->site.needle, &needle, sizeof needle);
     s->needle = v_add(v_load(needle.tip), error_of(t, SEES));
+    s->swage = v_add(v_load(needle.swage), error_of(t, SEES));
     (void)vbss_session_get_coaching(t->live.stage.task.session, &s->coach, sizeof s->coach);
 }
 
@@ -70,8 +72,10 @@ const sight *trainee_see(const trainee *t)
 
 bool trainee_has_ended(const trainee *t, vbss_session_exercise_state *state)
 {
+    vbss_session_status status;
+    (void)vbss_session_get_status(t->live.stage.task.session, &status, sizeof status);
     return vbss_session_get_exercise(t->live.stage.task.session, state, sizeof *state) == VBSS_OK &&
-           state->outcome != VBSS_SESSION_OUTCOME_NONE;
+           (state->outcome != VBSS_SESSION_OUTCOME_NONE || status.phase >= VBSS_SESSION_PHASE_DONE);
 }
 
 void trainee_say(const trainee *t, const char *what)
@@ -83,11 +87,33 @@ void trainee_say(const trainee *t, const char *what)
                t->live.time, what, c->sentence, 1e3 * c->distance, c->angle, c->turns, c->force,
                1e3 * c->length, trainee_see(t)->tension[0], trainee_see(t)->tension[1],
                c->mistake_sentence);
+        if (getenv("HANDS_DEBUG")) {
+            for (int i = 0; i < 2; i++) {
+                vbss_grasper_state g;
+                (void)vbss_grasper_get_state(t->live.stage.graspers[i], &g, sizeof g);
+                const sight *q = trainee_see(t);
+                printf("       %d tip %.2f %.2f %.2f jaws %.2f %.2f %.2f opens %.2f %.2f %.2f opening %.2f force %.2f %.2f %.2f\n", i, 1e3 * g.position[0], 1e3 * g.position[1], 1e3 * g.position[2], q->jaws[i].x, q->jaws[i].y, q->jaws[i].z, q->opens[i].x, q->opens[i].y, q->opens[i].z, g.opening, g.hand_force[0], g.hand_force[1], g.hand_force[2]);
+            }
+            printf("       needle %.2f %.2f %.2f point %.2f %.2f %.2f direction %.2f %.2f %.2f\n", 1e3*trainee_see(t)->needle.x, 1e3*trainee_see(t)->needle.y, 1e3*trainee_see(t)->needle.z, 1e3*c->point[0], 1e3*c->point[1], 1e3*c->point[2], c->direction[0], c->direction[1], c->direction[2]);
+        }
         fflush(stdout);
     }
 }
 
 /* ---- time */
+
+/* What is counted of the try; the trainee does not see it. */
+static void count(trainee *t)
+{
+    vbss_session_status status;
+    (void)vbss_session_get_status(t->live.stage.task.session, &status, sizeof status);
+    t->tension = fmax(t->tension, fmax(status.tension[0], status.tension[1]));
+    for (int side = 0; side < SIDES; side++) {
+        vbss_grasper_state tool;
+        (void)vbss_grasper_get_state(t->live.stage.graspers[side], &tool, sizeof tool);
+        t->force = fmax(t->force, v_length(v_load(tool.hand_force)));
+    }
+}
 
 static bool pass_frame(trainee *t)
 {
@@ -96,6 +122,7 @@ static bool pass_frame(trainee *t)
         if (live_step(&t->live) != VBSS_OK) {
             return false;
         }
+        count(t);
     }
     t->frames++;
     observe(t);
@@ -175,6 +202,7 @@ bool trainee_roll(trainee *t, int side, double angle)
 
 #define TURN_SPEED 1.5 /* rad/s, on average */
 #define TURNED 0.995   /* cosine */
+#define TURNED_WELL 0.9995
 
 /* The turn about an axis in the plane of the picture that takes one direction to the other: a mouse turns no tool about the line of
  * sight. */
@@ -189,14 +217,14 @@ static vec turn_between(const vbss_mapping_config *c, vec from, vec to)
     return v_scale(atan2(v_dot(axis, v_cross(a, b)), v_dot(a, b)), axis);
 }
 
-bool trainee_turn(trainee *t, int side, vec to)
+static bool turn(trainee *t, int side, vec to, double turned)
 {
     mouse_hand *m = &t->live.hands[side];
     vec right = v_load(m->mapping.right), up = v_load(m->mapping.up);
     t->live.active = side;
     for (int i = 0; i < 6; i++) {
         vec now = trainee_see(t)->jaws[side], by = turn_between(&m->mapping, now, to);
-        if (v_dot(now, to) > TURNED) {
+        if (v_dot(now, to) > turned) {
             return true;
         }
         by = v_scale(1.0 + t->noise * normal(t), by);
@@ -213,6 +241,16 @@ bool trainee_turn(trainee *t, int side, vec to)
         }
     }
     return true;
+}
+
+bool trainee_turn(trainee *t, int side, vec to)
+{
+    return turn(t, side, to, TURNED);
+}
+
+bool trainee_turn_well(trainee *t, int side, vec to)
+{
+    return turn(t, side, to, TURNED_WELL);
 }
 
 /* Angle between the direction and the plane across the opening, about the jaws' axis. */
@@ -257,19 +295,30 @@ bool trainee_exchange(trainee *t, int side)
 
 /* ---- made */
 
-vbss_result trainee_begin(trainee *t, vbss_session_exercise exercise, const start_states *states,
-                          uint64_t seed, const char *log)
+void trainee_wake(trainee *t, uint64_t seed)
 {
     memset(t, 0, sizeof *t);
     t->random = seed * 7919 + 17;
     t->shades = seed * 104729 + 29;
     t->noise = 0.06;
-    TRY(live_create_exercise(&t->live, exercise, states, NULL, log));
+}
+
+void trainee_open_eyes(trainee *t)
+{
     const live_scene *scene = t->live.scene;
     const camera c = camera_from(scene->target, scene->aside, CAMERA_DOWN, scene->away);
     mouse_hand_set_camera(&t->live.hands[LEFT], &c);
     mouse_hand_set_camera(&t->live.hands[RIGHT], &c);
+    t->frames = 0;
     observe(t);
+}
+
+vbss_result trainee_begin(trainee *t, vbss_session_exercise exercise, const start_states *states,
+                          uint64_t seed, const char *log)
+{
+    trainee_wake(t, seed);
+    TRY(live_create_exercise(&t->live, exercise, states, NULL, log));
+    trainee_open_eyes(t);
     return VBSS_OK;
 }
 

@@ -1,0 +1,87 @@
+/* The whole task by the scripted trainee: what the coach asks for next is done next. */
+#include "trainee/trainee.h"
+
+#include <stdio.h>
+
+#define EASED 3e-3 /* m, of each hand toward the slit before the tail is let go */
+
+enum { LONGEST = 400 }; /* goals and repeats of them */
+
+static bool release_tail(trainee *t, int side)
+{
+    vec slit = v3(0.0, 0.0, 0.0);
+    for (int i = 0; i < SIDES; i++) {
+        vec toward = v_unit(v_sub(slit, trainee_see(t)->tip[i]));
+        if (!trainee_move(t, i, v_scale(EASED, toward))) {
+            return false;
+        }
+    }
+    return lesson_leave(t, side);
+}
+
+/* A hand that holds the needle while the other one comes. */
+static double lean_of(const trainee *t, int side)
+{
+    return trainee_see(t)->has_needle[1 - side] ? 0.3 : 0.0;
+}
+
+static bool hand_over(trainee *t, int side)
+{
+    if (trainee_see(t)->needle.z < 20e-3 && !lesson_lift(t, 1 - side)) {
+        return false;
+    }
+    return lesson_take(t, side, lean_of(t, side));
+}
+
+/* False: the task has ended. */
+static bool follow(trainee *t, int side)
+{
+    switch (trainee_see(t)->coach.goal) {
+    case VBSS_SESSION_GOAL_TAKE_NEEDLE:
+        return lesson_take(t, side, 0.0);
+    case VBSS_SESSION_GOAL_REACH_MARK:
+    case VBSS_SESSION_GOAL_PIERCE:
+        t->entry = v_load(trainee_see(t)->coach.point);
+        return lesson_aim(t, side) && lesson_pierce(t);
+    case VBSS_SESSION_GOAL_DRIVE:
+        return lesson_drive(t, side);
+    case VBSS_SESSION_GOAL_EXPOSE_TIP:
+        return lesson_turn_on(t, side);
+    case VBSS_SESSION_GOAL_DRAW_NEEDLE:
+        return lesson_draw_needle(t, side);
+    case VBSS_SESSION_GOAL_TAKE_TIP:
+        return lesson_take(t, side, lean_of(t, side));
+    case VBSS_SESSION_GOAL_HAND_OVER:
+        return hand_over(t, side);
+    case VBSS_SESSION_GOAL_RELEASE_NEEDLE:
+        return lesson_leave(t, side);
+    case VBSS_SESSION_GOAL_RELEASE_TAIL:
+        return release_tail(t, side);
+    case VBSS_SESSION_GOAL_DRAW_THREAD:
+        return lesson_draw_thread(t, side);
+    case VBSS_SESSION_GOAL_TAKE_SHEARS:
+    case VBSS_SESSION_GOAL_CUT:
+        lesson_cut(t);
+        return trainee_wait(t, 1);
+    default:
+        return lesson_throw_part(t) && trainee_wait(t, 1);
+    }
+}
+
+void lesson_whole_task(trainee *t)
+{
+    (void)trainee_finish_motion(t);
+    vbss_session_goal before = trainee_see(t)->coach.goal;
+    for (int i = 0; i < LONGEST; i++) {
+        const vbss_session_coaching *c = &trainee_see(t)->coach;
+        int side = c->tool == VBSS_METRICS_TOOL_LEFT ? LEFT : RIGHT;
+        if (c->goal != before) {
+            before = c->goal;
+            trainee_save(t);
+        }
+        trainee_say(t, "task");
+        if (!follow(t, side) || !trainee_wait(t, 5)) {
+            return;
+        }
+    }
+}
