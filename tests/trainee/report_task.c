@@ -10,10 +10,9 @@ typedef struct counts {
     uint32_t mistakes, drops, strays;
 } counts;
 
-static counts count_events(vbss_session *session, const vbss_session_status *status, bool prints)
+static counts count_events(vbss_session *session, const vbss_session_status *status)
 {
     counts c = {0};
-    char words[TASK_WORDS];
     for (uint64_t i = status->first_event; i < status->event_count; i++) {
         vbss_session_event e;
         if (vbss_session_get_event(session, i, &e, sizeof e) != VBSS_OK) {
@@ -22,10 +21,6 @@ static counts count_events(vbss_session *session, const vbss_session_status *sta
         c.mistakes += e.kind == VBSS_SESSION_EVENT_MISTAKE && e.undone == 0;
         c.drops += e.kind == VBSS_SESSION_EVENT_DROPPED;
         c.strays += e.kind == VBSS_SESSION_EVENT_STRAY && e.undone == 0;
-        if (prints && e.kind != VBSS_SESSION_EVENT_AID && e.kind != VBSS_SESSION_EVENT_GOAL) {
-            task_words(&e, words);
-            printf("    %7.2f s %s\n", e.time, words);
-        }
     }
     return c;
 }
@@ -38,7 +33,7 @@ bool trainee_report_task(const trainee *t, uint64_t seed)
     (void)vbss_session_get_status(k->session, &s, sizeof s);
     (void)vbss_knot_detector_get_notation(k->knots, notation, sizeof notation);
     bool is_done = s.phase == VBSS_SESSION_PHASE_DONE;
-    counts c = count_events(k->session, &s, t->verbose);
+    counts c = count_events(k->session, &s);
     printf("whole_task seed %lu: %s after %.1f s, aids %u: %s, %s; holes %.2f and %.2f mm off, gap "
            "%.2f mm, knot %s, %u of %u throws seated, %u transfers; largest tension %.2f N, force "
            "%.2f N; %u mistakes, %u drops, %u stray holes\n",

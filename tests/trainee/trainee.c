@@ -78,10 +78,28 @@ bool trainee_has_ended(const trainee *t, vbss_session_exercise_state *state)
            (state->outcome != VBSS_SESSION_OUTCOME_NONE || status.phase >= VBSS_SESSION_PHASE_DONE);
 }
 
-void trainee_say(const trainee *t, const char *what)
+/* The session's events since it was last asked; the trainee does not see them. */
+static void print_events(trainee *t)
+{
+    vbss_session *session = t->live.stage.task.session;
+    vbss_session_status status;
+    char words[TASK_WORDS];
+    (void)vbss_session_get_status(session, &status, sizeof status);
+    for (; t->printed < status.event_count; t->printed++) {
+        vbss_session_event e;
+        if (vbss_session_get_event(session, t->printed, &e, sizeof e) == VBSS_OK &&
+            e.kind != VBSS_SESSION_EVENT_AID && e.kind != VBSS_SESSION_EVENT_GOAL) {
+            task_words(&e, words);
+            printf("    %7.2f s * %s\n", e.time, words);
+        }
+    }
+}
+
+void trainee_say(trainee *t, const char *what)
 {
     const vbss_session_coaching *c = &trainee_see(t)->coach;
     if (t->verbose) {
+        print_events(t);
         printf("  %6.2f s %s: %s [%.1f mm, %.2f rad, %.2f turns, %.2f N, %.2f mm; pulls %.2f, %.2f "
                "N] %s\n",
                t->live.time, what, c->sentence, 1e3 * c->distance, c->angle, c->turns, c->force,
@@ -126,6 +144,19 @@ static bool pass_frame(trainee *t)
     }
     t->frames++;
     observe(t);
+    if (getenv("HANDS_FINE") && t->live.time > atof(getenv("HANDS_FINE"))) {
+        vbss_session_status q;
+        vbss_drain_gap gap;
+        (void)vbss_session_get_status(t->live.stage.task.session, &q, sizeof q);
+        (void)vbss_drain_get_gap(t->live.stage.drain, &gap, sizeof gap);
+        printf("   %.3f lost %.3f T %.2f %.2f gap %.2f slit %.1f %.1f %.1f", t->live.time, q.time_lost, q.tension[0], q.tension[1], 1e3 * q.gap, 1e3*gap.lips[0][0], 1e3*gap.lips[0][1], 1e3*gap.lips[0][2]);
+        for (int i = 0; i < 2; i++) {
+            vbss_grasper_state g;
+            (void)vbss_grasper_get_state(t->live.stage.graspers[i], &g, sizeof g);
+            printf(" | %.1f %.1f %.1f f %.2f %.2f %.2f o %.2f h %d", 1e3 * g.position[0], 1e3 * g.position[1], 1e3 * g.position[2], g.hand_force[0], g.hand_force[1], g.hand_force[2], g.opening, (int)g.grasp_count);
+        }
+        printf("\n");
+    }
     return !trainee_has_ended(t, &state);
 }
 

@@ -32,6 +32,7 @@ typedef struct trainee {
     vec entry;    /* m: the first mark before it was pierced */
     bool helps;   /* a closed tool supports the wall at the first mark */
     bool verbose;
+    uint64_t printed; /* events */
     const char *folder;    /* for states of the whole task; NULL: none */
     double tension, force; /* N: largest of the thread, and on a hand, which it does not see */
 } trainee;
@@ -63,7 +64,7 @@ bool trainee_jaws(trainee *t, int side, bool closes);
 bool trainee_aid(trainee *t, uint32_t aid);
 bool trainee_exchange(trainee *t, int side);
 /* Prints what it does and sees, if it shall. */
-void trainee_say(const trainee *t, const char *what);
+void trainee_say(trainee *t, const char *what);
 bool trainee_has_ended(const trainee *t, vbss_session_exercise_state *state);
 
 /* ---- lessons.c: each exercise, by the words of the coach */
