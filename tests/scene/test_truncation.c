@@ -118,6 +118,38 @@ static void pins_lag_with_their_bodies(void **state)
     small_end(&s);
 }
 
+/* An end of a thread jumps aside, and one linearisation does not find the lengths. Truncation takes no state whose
+ * tensions are beyond the stretch tolerance. */
+static void truncation_adds_no_tension(void **state)
+{
+    (void)state;
+    uint32_t truncated = 0;
+    for (int k = 1; k <= 24; k++) {
+        small s;
+        vbss_thread *thread;
+        small_begin(&s);
+        solver_of(&s.config)->halving_limit = 0;
+        solver_of(&s.config)->iteration_limit = 1;
+        small_create(&s);
+        uint32_t tool = small_stick(&s, VBSS_SCENE_RIGID_DRIVEN, vec3_zero(), half, 1e-3);
+        vec3 end = vec3_make(1e-3, 0.0, 0.0);
+        uint32_t line =
+            small_thread(&s, end, vec3_add(end, vec3_make(0.01, 0.0, 0.0)), 10, &thread);
+        small_pin(&s, line, 0, tool);
+        small_move(&s, tool, vec3_make(0.0, 5e-5 * k, 0.0));
+        small_steps(&s, 1, 1e-3);
+        double largest =
+            s.thread.axial_stiffness * solver_values(&s.config).stretch_tolerance * (1.0 + 1e-9);
+        assert_true(largest > 0.1 && largest < 1.0);
+        truncated += small_statistics(&s).clamped > 0;
+        for (uint32_t i = 0; i < 10; i++) {
+            assert_true(small_tension(thread, i) <= largest);
+        }
+        small_end(&s);
+    }
+    assert_true(truncated > 0);
+}
+
 static void offline_mode_retries_before_truncation(void **state)
 {
     (void)state;
@@ -307,6 +339,7 @@ int test_truncation(void)
         cmocka_unit_test(only_the_island_that_collides_is_truncated),
         cmocka_unit_test(an_island_is_truncated_as_a_whole),
         cmocka_unit_test(pins_lag_with_their_bodies),
+        cmocka_unit_test(truncation_adds_no_tension),
         cmocka_unit_test(offline_mode_retries_before_truncation),
         harness_test(any_host_motion_ends_finite_without_passage),
         cmocka_unit_test(forces_after_truncation_are_contact_forces),

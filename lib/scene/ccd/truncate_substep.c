@@ -135,25 +135,32 @@ static void truncate_bodies(scene_object *s, double fraction)
     }
 }
 
-static double max_compression(thread_object *t, const vec3 *x)
+/* Largest strain with the nodes at `x`: extension for sign 1, compression for -1. */
+static double max_strain(thread_object *t, const vec3 *x, double sign)
 {
     double largest = 0.0;
     vbss_thread_compute_strains(t, x, t->strains);
     for (uint32_t i = 0; i + 1 < t->node_count; i++) {
-        largest = vbss_max(-t->strains[i].elongation * t->inverse_rest[i], largest);
+        largest = vbss_max(sign * t->strains[i].elongation * t->inverse_rest[i], largest);
     }
     return largest;
 }
 
-/* Whether truncation shortens a thread. Nodes move along straight lines, so a segment that turns by 90 degrees is
- * 29 % shorter halfway. Its compression would be a force of hundreds of newtons, and more energy than all else has. */
-static bool shortens_threads(scene_object *s)
+static bool increases_strain(thread_object *t, double sign, double tolerance)
 {
+    return max_strain(t, t->trial, sign) > max_strain(t, t->now.x, sign) + tolerance;
+}
+
+/* Whether truncation strains a thread. Nodes move along straight lines, so a segment that turns by 90 degrees is
+ * 29 % shorter halfway. Its compression would be a force of hundreds of newtons, and more energy than all else has.
+ * The lengths of a trial state that did not converge would likewise be tensions that no hand pulls with. */
+static bool strains_threads(scene_object *s)
+{
+    const double tolerance = s->solver.stretch_tolerance;
     for (uint32_t i = 0; i < s->body_count; i++) {
         thread_object *t = s->bodies[i].thread.thread;
         if (scene_active_kind(&s->bodies[i]) == SCENE_BODY_THREAD &&
-            max_compression(t, t->trial) >
-                max_compression(t, t->now.x) + s->solver.stretch_tolerance) {
+            (increases_strain(t, -1.0, tolerance) || increases_strain(t, 1.0, tolerance))) {
             return true;
         }
     }
@@ -166,7 +173,7 @@ static double truncate_until_safe(scene_object *s, double fraction)
 {
     truncate_bodies(s, fraction);
     for (uint32_t k = 0; k < SCENE_MAX_TRUNCATIONS && fraction > 0.0; k++) {
-        if (!shortens_threads(s) && vbss_scene_run_ccd(s) == SCENE_SUBSTEP_ACCEPTED) {
+        if (!strains_threads(s) && vbss_scene_run_ccd(s) == SCENE_SUBSTEP_ACCEPTED) {
             return fraction;
         }
         truncate_bodies(s, 0.5);
