@@ -53,15 +53,25 @@ static void stitch_goals_follow_the_needle(void **state)
     rig_thread_through(&r, RIG_ENTRY, 0.02);
     rig_thread_through(&r, RIG_EXIT, 0.01);
     run(&r);
-    rig_expect_goal(&r, VBSS_SESSION_GOAL_DRAW_THREAD, VBSS_METRICS_TOOL_LEFT);
+    rig_expect_goal(&r, VBSS_SESSION_GOAL_HAND_OVER, VBSS_METRICS_TOOL_RIGHT); /* who winds */
+    rig_take(&r, RIG_RIGHT);
+    run(&r);
+    rig_expect_goal(&r, VBSS_SESSION_GOAL_RELEASE_NEEDLE, VBSS_METRICS_TOOL_LEFT);
+    rig_drop(&r, RIG_LEFT);
+    run(&r);
+    rig_expect_goal(&r, VBSS_SESSION_GOAL_DRAW_THREAD, VBSS_METRICS_TOOL_RIGHT);
     expect_near(LENGTH - 0.02 - r.scene.config.tail_high, rig_coaching(&r).length, 1e-12);
     rig_thread_through(&r, RIG_ENTRY, LENGTH - 0.01);
     run(&r);
-    rig_expect_goal(&r, VBSS_SESSION_GOAL_LENGTHEN_TAIL, VBSS_METRICS_TOOL_RIGHT);
+    rig_expect_goal(&r, VBSS_SESSION_GOAL_LENGTHEN_TAIL, VBSS_METRICS_TOOL_LEFT);
     expect_near(5e-3, rig_coaching(&r).length, 1e-12);
     rig_thread_through(&r, RIG_ENTRY, LENGTH - 0.017);
     run(&r);
-    rig_expect_goal(&r, VBSS_SESSION_GOAL_WIND, VBSS_METRICS_TOOL_LEFT);
+    rig_expect_goal(&r, VBSS_SESSION_GOAL_WIND, VBSS_METRICS_TOOL_RIGHT);
+    rig_take(&r, RIG_LEFT); /* and if it is passed once more */
+    rig_drop(&r, RIG_RIGHT);
+    run(&r);
+    rig_expect_goal(&r, VBSS_SESSION_GOAL_HAND_OVER, VBSS_METRICS_TOOL_RIGHT);
     rig_end(&r);
 }
 

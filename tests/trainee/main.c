@@ -65,8 +65,8 @@ static bool attempt(trainee *t, vbss_session_exercise exercise, const start_stat
 /* The whole task. `state`, which may be NULL: continued from there. `folder`, which may be NULL: states are saved there. */
 static bool attempt_task(trainee *t, uint64_t seed, const options *o)
 {
-    vbss_result result = o->state != NULL ? trainee_resume(t, seed, o->state)
-                                          : trainee_begin_task(t, seed, o->log);
+    vbss_result result =
+        o->state != NULL ? trainee_resume(t, seed, o->state) : trainee_begin_task(t, seed, o->log);
     if (result != VBSS_OK) {
         fprintf(stderr, "trainee: the task cannot begin\n");
         return false;

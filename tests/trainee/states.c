@@ -19,7 +19,7 @@ typedef struct saved_head {
     uint64_t random, shades, steps, scene_bytes, session_bytes;
     uint32_t aids, helps;
     double home;
-    vec entry;
+    vec entry, slit;
 } saved_head;
 
 static bool write_parts(FILE *file, const saved_head *head, const uint8_t *scene,
@@ -47,6 +47,7 @@ void trainee_save(trainee *t)
     head.helps = t->helps;
     head.home = t->home;
     head.entry = t->entry;
+    head.slit = t->slit;
     (void)vbss_scene_save(scene, NULL, 0, &head.scene_bytes); /* asks for the sizes */
     (void)vbss_session_save(session, NULL, 0, &head.session_bytes);
     uint8_t *a = malloc(head.scene_bytes), *b = malloc(head.session_bytes);
@@ -91,6 +92,7 @@ static vbss_result restore(trainee *t, FILE *file, uint8_t *bytes, const saved_h
     t->helps = head->helps != 0;
     t->home = head->home;
     t->entry = head->entry;
+    t->slit = head->slit;
     trainee_open_eyes(t);
     return VBSS_OK;
 }

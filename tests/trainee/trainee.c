@@ -2,7 +2,6 @@
 
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 #define FRAME 0.016
@@ -11,6 +10,7 @@
 #define SPEED 0.10     /* m/s, of a movement in the middle */
 #define SHORTEST 0.3   /* s, of a movement */
 #define NOTCH_ROLL 0.1 /* rad */
+#define BLOCKED 0.75   /* share of a movement that is not made */
 
 enum { STEPS = 16, MAX_MOVEMENTS = 12 };
 
@@ -105,15 +105,6 @@ void trainee_say(trainee *t, const char *what)
                t->live.time, what, c->sentence, 1e3 * c->distance, c->angle, c->turns, c->force,
                1e3 * c->length, trainee_see(t)->tension[0], trainee_see(t)->tension[1],
                c->mistake_sentence);
-        if (getenv("HANDS_DEBUG")) {
-            for (int i = 0; i < 2; i++) {
-                vbss_grasper_state g;
-                (void)vbss_grasper_get_state(t->live.stage.graspers[i], &g, sizeof g);
-                const sight *q = trainee_see(t);
-                printf("       %d tip %.2f %.2f %.2f jaws %.2f %.2f %.2f opens %.2f %.2f %.2f opening %.2f force %.2f %.2f %.2f\n", i, 1e3 * g.position[0], 1e3 * g.position[1], 1e3 * g.position[2], q->jaws[i].x, q->jaws[i].y, q->jaws[i].z, q->opens[i].x, q->opens[i].y, q->opens[i].z, g.opening, g.hand_force[0], g.hand_force[1], g.hand_force[2]);
-            }
-            printf("       needle %.2f %.2f %.2f point %.2f %.2f %.2f direction %.2f %.2f %.2f\n", 1e3*trainee_see(t)->needle.x, 1e3*trainee_see(t)->needle.y, 1e3*trainee_see(t)->needle.z, 1e3*c->point[0], 1e3*c->point[1], 1e3*c->point[2], c->direction[0], c->direction[1], c->direction[2]);
-        }
         fflush(stdout);
     }
 }
@@ -144,19 +135,6 @@ static bool pass_frame(trainee *t)
     }
     t->frames++;
     observe(t);
-    if (getenv("HANDS_FINE") && t->live.time > atof(getenv("HANDS_FINE"))) {
-        vbss_session_status q;
-        vbss_drain_gap gap;
-        (void)vbss_session_get_status(t->live.stage.task.session, &q, sizeof q);
-        (void)vbss_drain_get_gap(t->live.stage.drain, &gap, sizeof gap);
-        printf("   %.3f lost %.3f T %.2f %.2f gap %.2f slit %.1f %.1f %.1f", t->live.time, q.time_lost, q.tension[0], q.tension[1], 1e3 * q.gap, 1e3*gap.lips[0][0], 1e3*gap.lips[0][1], 1e3*gap.lips[0][2]);
-        for (int i = 0; i < 2; i++) {
-            vbss_grasper_state g;
-            (void)vbss_grasper_get_state(t->live.stage.graspers[i], &g, sizeof g);
-            printf(" | %.1f %.1f %.1f f %.2f %.2f %.2f o %.2f h %d", 1e3 * g.position[0], 1e3 * g.position[1], 1e3 * g.position[2], g.hand_force[0], g.hand_force[1], g.hand_force[2], g.opening, (int)g.grasp_count);
-        }
-        printf("\n");
-    }
     return !trainee_has_ended(t, &state);
 }
 
@@ -214,6 +192,11 @@ bool trainee_go(trainee *t, int side, vec to, double near)
         }
         if (!trainee_move(t, side, by)) {
             return false;
+        }
+        vec left = v_sub(to, trainee_see(t)->tip[side]);
+        if (v_length(left) > BLOCKED * v_length(by) && v_length(by) > 1e-3) {
+            return trainee_move(t, side,
+                                v_scale(-0.7, left)); /* against something: it does not push on */
         }
     }
     return true;

@@ -29,10 +29,11 @@ typedef struct trainee {
     uint64_t frames;
     double noise; /* share of the length of a movement; 0.05 is usual */
     double home;  /* m: x of the slit before it was pulled at */
+    vec slit;     /* m: where it was seen last */
     vec entry;    /* m: the first mark before it was pierced */
     bool helps;   /* a closed tool supports the wall at the first mark */
     bool verbose;
-    uint64_t printed; /* events */
+    uint64_t printed;      /* events */
     const char *folder;    /* for states of the whole task; NULL: none */
     double tension, force; /* N: largest of the thread, and on a hand, which it does not see */
 } trainee;
@@ -80,6 +81,7 @@ bool lesson_pierce(trainee *t);
 void lesson_throw(trainee *t);
 /* What the present goal asks for; false: the exercise has ended, or the goal belongs to no throw. */
 bool lesson_throw_part(trainee *t);
+bool lesson_release_tail(trainee *t, int loop);
 
 /* ---- stitching.c: the needle in the whole task; false: the task has ended */
 

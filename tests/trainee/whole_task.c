@@ -3,21 +3,7 @@
 
 #include <stdio.h>
 
-#define EASED 3e-3 /* m, of each hand toward the slit before the tail is let go */
-
 enum { LONGEST = 400 }; /* goals and repeats of them */
-
-static bool release_tail(trainee *t, int side)
-{
-    vec slit = v3(0.0, 0.0, 0.0);
-    for (int i = 0; i < SIDES; i++) {
-        vec toward = v_unit(v_sub(slit, trainee_see(t)->tip[i]));
-        if (!trainee_move(t, i, v_scale(EASED, toward))) {
-            return false;
-        }
-    }
-    return lesson_leave(t, side);
-}
 
 /* A hand that holds the needle while the other one comes. */
 static double lean_of(const trainee *t, int side)
@@ -56,7 +42,7 @@ static bool follow(trainee *t, int side)
     case VBSS_SESSION_GOAL_RELEASE_NEEDLE:
         return lesson_leave(t, side);
     case VBSS_SESSION_GOAL_RELEASE_TAIL:
-        return release_tail(t, side);
+        return t->slit.z != 0.0 ? lesson_release_tail(t, side) : lesson_leave(t, side);
     case VBSS_SESSION_GOAL_DRAW_THREAD:
         return lesson_draw_thread(t, side);
     case VBSS_SESSION_GOAL_TAKE_SHEARS:
