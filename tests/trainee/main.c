@@ -1,6 +1,6 @@
 /* A scripted trainee does exercises with a mouse: trainee EXERCISE STARTS [SEEDS [FIRST [LOG]]] [-v], or the whole task:
- * trainee whole_task [SEEDS [FIRST [LOG]]] [-v] [-s FOLDER] [-r STATE]. With -s it saves its state in the folder whenever the coach's goal
- * changes, and with -r it continues from such a state. Prints the outcome of each try, and ends with 0 if all were passed. */
+ * trainee whole_task [SEEDS [FIRST [LOG]]] [-v] [-s FOLDER] [-r STATE] [-u PHASE]. With -s it saves its state in the folder whenever the coach's goal
+ * changes, and with -r it continues from such a state; with -u it ends at that phase (a number of the session). Prints the outcome of each try, and ends with 0 if all were passed. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -13,6 +13,7 @@
 typedef struct options {
     unsigned long seeds, first;
     const char *log, *folder, *state; /* each may be NULL */
+    int until;                        /* a VBSS_SESSION_PHASE_ constant: passed if it is reached */
     bool verbose;
 } options;
 
@@ -73,10 +74,11 @@ static bool attempt_task(trainee *t, uint64_t seed, const options *o)
     }
     t->verbose = o->verbose;
     t->folder = o->folder;
+    t->until = o->until;
     lesson_whole_task(t);
-    bool is_done = trainee_report_task(t, seed);
+    bool is_passed = trainee_report_task(t, seed);
     trainee_end(t);
-    return is_done;
+    return is_passed;
 }
 
 static int attempt_all(const char *name, const options *o, vbss_session_exercise exercise,
@@ -103,6 +105,8 @@ static int read_options(int count, char **words, options *o)
             o->verbose = true;
         } else if (strcmp(words[i], "-s") == 0 && i + 1 < count) {
             o->folder = words[++i];
+        } else if (strcmp(words[i], "-u") == 0 && i + 1 < count) {
+            o->until = (int)strtol(words[++i], NULL, 10);
         } else if (strcmp(words[i], "-r") == 0 && i + 1 < count) {
             o->state = words[++i];
         } else {
@@ -115,7 +119,7 @@ static int read_options(int count, char **words, options *o)
 int main(int count, char **words)
 {
     start_states states = {0};
-    options o = {.seeds = 1};
+    options o = {.seeds = 1, .until = VBSS_SESSION_PHASE_DONE};
     char why[300];
     use_decimal_point();
     count = read_options(count, words, &o);
@@ -125,8 +129,10 @@ int main(int count, char **words)
     int from = is_task ? 2 : 3; /* the whole task needs no states */
     if (!is_task && (exercise == VBSS_SESSION_EXERCISE_NONE ||
                      !starts_read(&states, words[2], why, sizeof why))) {
-        fprintf(stderr, "trainee EXERCISE STARTS [SEEDS [FIRST [LOG]]] [-v]\n"
-                        "trainee whole_task [SEEDS [FIRST [LOG]]] [-v] [-s FOLDER] [-r STATE]\n");
+        fprintf(
+            stderr,
+            "trainee EXERCISE STARTS [SEEDS [FIRST [LOG]]] [-v]\n"
+            "trainee whole_task [SEEDS [FIRST [LOG]]] [-v] [-s FOLDER] [-r STATE] [-u PHASE]\n");
         return 2;
     }
     o.seeds = count > from ? strtoul(words[from], NULL, 10) : 1;

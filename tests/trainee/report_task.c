@@ -43,5 +43,5 @@ bool trainee_report_task(const trainee *t, uint64_t seed)
            (unsigned)s.transfers, t->tension, t->force, (unsigned)c.mistakes, (unsigned)c.drops,
            (unsigned)c.strays);
     fflush(stdout);
-    return is_done;
+    return is_done || (s.phase >= t->until && s.phase != VBSS_SESSION_PHASE_FAILED);
 }

@@ -6,19 +6,20 @@
 
 #define BEFORE 20e-3    /* m, of the jaws from the needle along themselves, before they come; */
 #define OFF_AGAIN 40e-3 /* after they have opened */
-#define OUTSIDE 12e-3   /* of the tip from the mark, before it comes to it */
-#define LEAN 0.3        /* rad, of a tool away from the one that holds the needle */
-#define STRIDE 2.5e-3   /* m, of the mouse while the needle is on its arc */
-#define MISSES 0.7e-3   /* of the arc beside the mark: it is shifted */
-#define LIFTED 12e-3    /* of the needle in the drain: from then on it is lifted, too */
-#define LIFT 30e-3      /* of a needle that is out of the drain */
-#define STICKS 0.12     /* N: the tail */
-#define STUCK 1.2e-3    /* of a thread at a time that sticks */
-#define DRAWN 20e-3     /* of the thread at a time, at most */
-#define UNDER 0.8e-3    /* m, from the mark to jaws in the wall's lee */
-#define ASIDE 1.3e-3    /* along the drain */
-#define BEYOND 1.8e-3   /* of their tips past the mark */
-#define AHEAD 3e-3      /* of the tip to the second mark: the arc is not shifted any more */
+#define PARK 60e-3
+#define OUTSIDE 12e-3 /* of the tip from the mark, before it comes to it */
+#define LEAN 0.3      /* rad, of a tool away from the one that holds the needle */
+#define STRIDE 2.5e-3 /* m, of the mouse while the needle is on its arc */
+#define MISSES 0.7e-3 /* of the arc beside the mark: it is shifted */
+#define LIFTED 12e-3  /* of the needle in the drain: from then on it is lifted, too */
+#define LIFT 30e-3    /* of a needle that is out of the drain */
+#define STICKS 0.12   /* N: the tail */
+#define STUCK 1.2e-3  /* of a thread at a time that sticks */
+#define DRAWN 20e-3   /* of the thread at a time, at most */
+#define UNDER 0.8e-3  /* m, from the mark to jaws in the wall's lee */
+#define ASIDE 1.3e-3  /* along the drain */
+#define BEYOND 1.8e-3 /* of their tips past the mark */
+#define AHEAD 3e-3    /* of the tip to the second mark: the arc is not shifted any more */
 
 static vec point_of(const trainee *t)
 {
@@ -103,6 +104,12 @@ bool lesson_leave(trainee *t, int side)
 {
     return trainee_jaws(t, side, false) &&
            trainee_move(t, side, v_scale(-OFF_AGAIN, trainee_see(t)->jaws[side]));
+}
+
+/* To its own side, where no needle comes past. */
+bool lesson_park(trainee *t, int side)
+{
+    return trainee_go(t, side, v3(side == LEFT ? -PARK : PARK, -30e-3, PARK), 8e-3);
 }
 
 /* ---- the other tool supports the wall beside the mark: closed, as open jaws are wider than the slit, and as a needle between them is

@@ -70,12 +70,18 @@ const sight *trainee_see(const trainee *t)
     return &t->past[at % (TRAINEE_DELAY + 1)];
 }
 
-bool trainee_has_ended(const trainee *t, vbss_session_exercise_state *state)
+vbss_session_phase trainee_phase(const trainee *t)
 {
     vbss_session_status status;
     (void)vbss_session_get_status(t->live.stage.task.session, &status, sizeof status);
+    return status.phase;
+}
+
+bool trainee_has_ended(const trainee *t, vbss_session_exercise_state *state)
+{
     return vbss_session_get_exercise(t->live.stage.task.session, state, sizeof *state) == VBSS_OK &&
-           (state->outcome != VBSS_SESSION_OUTCOME_NONE || status.phase >= VBSS_SESSION_PHASE_DONE);
+           (state->outcome != VBSS_SESSION_OUTCOME_NONE ||
+            trainee_phase(t) >= VBSS_SESSION_PHASE_DONE);
 }
 
 /* The session's events since it was last asked; the trainee does not see them. */

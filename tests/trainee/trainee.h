@@ -34,6 +34,7 @@ typedef struct trainee {
     bool helps;   /* a closed tool supports the wall at the first mark */
     bool verbose;
     uint64_t printed;      /* events */
+    int until;             /* the phase of the session at which the whole task ends */
     const char *folder;    /* for states of the whole task; NULL: none */
     double tension, force; /* N: largest of the thread, and on a hand, which it does not see */
 } trainee;
@@ -67,6 +68,7 @@ bool trainee_exchange(trainee *t, int side);
 /* Prints what it does and sees, if it shall. */
 void trainee_say(trainee *t, const char *what);
 bool trainee_has_ended(const trainee *t, vbss_session_exercise_state *state);
+vbss_session_phase trainee_phase(const trainee *t);
 
 /* ---- lessons.c: each exercise, by the words of the coach */
 
@@ -87,6 +89,7 @@ bool lesson_release_tail(trainee *t, int loop);
 
 bool lesson_take(trainee *t, int side, double lean);
 bool lesson_leave(trainee *t, int side);
+bool lesson_park(trainee *t, int side);
 bool lesson_aim(trainee *t, int side);
 bool lesson_drive(trainee *t, int side);
 bool lesson_turn_on(trainee *t, int side);
@@ -97,7 +100,7 @@ bool lesson_draw_thread(trainee *t, int side);
 /* ---- whole_task.c, states.c */
 
 void lesson_whole_task(trainee *t);
-/* Prints what came of it; true: the session calls the task done. */
+/* Prints what came of it; true: its last phase was reached. */
 bool trainee_report_task(const trainee *t, uint64_t seed);
 vbss_result trainee_begin_task(trainee *t, uint64_t seed, const char *log);
 /* A state of the present moment, if there is a folder for it. */

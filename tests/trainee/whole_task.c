@@ -40,7 +40,7 @@ static bool follow(trainee *t, int side)
     case VBSS_SESSION_GOAL_HAND_OVER:
         return hand_over(t, side);
     case VBSS_SESSION_GOAL_RELEASE_NEEDLE:
-        return lesson_leave(t, side);
+        return lesson_leave(t, side) && lesson_park(t, side);
     case VBSS_SESSION_GOAL_RELEASE_TAIL:
         return t->slit.z != 0.0 ? lesson_release_tail(t, side) : lesson_leave(t, side);
     case VBSS_SESSION_GOAL_DRAW_THREAD:
@@ -58,7 +58,7 @@ void lesson_whole_task(trainee *t)
 {
     (void)trainee_finish_motion(t);
     vbss_session_goal before = trainee_see(t)->coach.goal;
-    for (int i = 0; i < LONGEST; i++) {
+    for (int i = 0; i < LONGEST && trainee_phase(t) < t->until; i++) {
         const vbss_session_coaching *c = &trainee_see(t)->coach;
         int side = c->tool == VBSS_METRICS_TOOL_LEFT ? LEFT : RIGHT;
         if (c->goal != before) {
