@@ -29,6 +29,12 @@ static uint64_t from_until(const mistake_facts *f, uint64_t bit, bool begins, bo
     return when(begins || ((f->before & bit) != 0 && !ends), bit);
 }
 
+/* A mistake whose observation lasts its dwell time. Then it stays until it ends. */
+static uint64_t while_until(const session_object *s, uint64_t bit, bool is_observed, bool ends)
+{
+    return when(is_observed || ((s->coach.open & bit) != 0 && !ends), bit);
+}
+
 /* ---- needle and stitch */
 
 static bool is_needle_missing(const session_object *s)
@@ -116,7 +122,15 @@ static uint64_t observe_grasp(const session_object *s, const mistake_facts *f)
 
 /* ---- the knot */
 
-/* Of two throws the measure of half hitches also rises in good knots, so it counts for the first alone. */
+/* A loose throw may be a hitch, or have fewer wraps, until it is drawn up. Only pull shows what it is. */
+static bool is_tightened(const session_object *s, const session_observation *observed)
+{
+    return vbss_max(observed->tension[0], observed->tension[1]) >=
+           SESSION_TIGHT_RATIO * s->config.seat_force;
+}
+
+/* Of two throws the measure of half hitches also rises in good knots, so it counts for the first alone. The fault of
+ * the session outlasts the measure, so a tightened throw needs both. */
 static uint64_t observe_throws(const session_object *s, const mistake_facts *f)
 {
     const session_coach *c = &s->coach;
@@ -128,12 +142,16 @@ static uint64_t observe_throws(const session_object *s, const mistake_facts *f)
         is_few |= i == 0 && t->wraps < first;
         is_many |= t->wraps > (i == 0 ? first : 1);
     }
-    uint32_t faults = vbss_session_faults(s);
-    return when(is_granny, BIT(GRANNY)) | when(is_few, BIT(TOO_FEW_WRAPS)) |
+    uint32_t faults = vbss_session_faults(s), hitch = (uint32_t)VBSS_KNOT_FAULT_HITCH;
+    bool is_tight = is_tightened(s, f->observed);
+    bool is_capsized = (faults & hitch) != 0 && s->throw_count == 1;
+    return when(is_granny, BIT(GRANNY)) |
+           while_until(s, BIT(TOO_FEW_WRAPS), is_few && is_tight, !is_few) |
            when(is_many, BIT(TOO_MANY_WRAPS)) |
            when((faults & (uint32_t)VBSS_KNOT_FAULT_STRAY) != 0, BIT(STRAY_KNOT)) |
-           when((faults & (uint32_t)VBSS_KNOT_FAULT_HITCH) != 0 && s->throw_count == 1,
-                BIT(CAPSIZED)) |
+           while_until(s, BIT(CAPSIZED),
+                       is_capsized && is_tight && (f->observed->knot.faults & hitch) != 0,
+                       !is_capsized) |
            when(s->missed_transfers != 0, BIT(TRANSFER_MISSED)) |
            from_until(f, BIT(THROW_UNDONE),
                       s->throw_count<c->throw_count, s->throw_count> c->throw_count) |
@@ -207,6 +225,8 @@ static double dwell_of(vbss_session_mistake mistake)
     case VBSS_SESSION_MISTAKE_NEEDLE_DROPPED:
         return SESSION_WINDING_DWELL;
     case VBSS_SESSION_MISTAKE_ONE_SIDED:
+    case VBSS_SESSION_MISTAKE_CAPSIZED:
+    case VBSS_SESSION_MISTAKE_TOO_FEW_WRAPS:
     case VBSS_SESSION_MISTAKE_WALLS_CROSSED:
         return SESSION_TENSION_DWELL;
     case VBSS_SESSION_MISTAKE_SLACK:

@@ -93,6 +93,9 @@
 /* An end bears less than this share of the other one: the pull is one-sided.
  * Unit: 1, relative to the tension of the other end. Origin: chosen. Test: session.coach_mistakes. */
 #define SESSION_ONE_SIDED_RATIO VBSS_TUNE(SESSION_ONE_SIDED_RATIO, 0.3)
+/* A throw is tightened if an end bears this share of the force that seats it; while a tail is drawn through turns, it
+ * bears up to 0.15 N. Unit: 1, relative to seat_force. Origin: chosen. Test: session.coach_mistakes. */
+#define SESSION_TIGHT_RATIO VBSS_TUNE(SESSION_TIGHT_RATIO, 0.5)
 /* Tension below which an end is slack. Unit: N. Origin: chosen. Test: session.coach_mistakes. */
 #define SESSION_SLACK_TENSION VBSS_TUNE(SESSION_SLACK_TENSION, 0.1)
 /* Overlap of the slit's edges beyond which the walls have slipped past each other.

@@ -98,6 +98,13 @@ void lesson_pass_mark(trainee *t)
     }
 }
 
+/* Where the blades point so that they lie across the thread: else the knot is between them, too. */
+static vec across_thread(vec jaws, vec thread)
+{
+    vec square = v_along(jaws, -v_dot(jaws, thread), thread), down = v3(0.0, 0.0, -1.0);
+    return v_unit(v_length(square) > 0.5 ? square : v_along(down, -v_dot(down, thread), thread));
+}
+
 /* The hand that the coach names opens, goes aside, takes shears, and cuts at the point of the coach. */
 void lesson_cut(trainee *t)
 {
@@ -113,10 +120,14 @@ void lesson_cut(trainee *t)
                    trainee_go(t, side, v3(side == LEFT ? -0.06 : 0.06, -0.01, 0.06), 5e-3) &&
                    trainee_jaws(t, side, true) && trainee_exchange(t, side);
         } else if (s->coach.goal == VBSS_SESSION_GOAL_CUT) {
-            vec along = s->jaws[side];
+            vec thread = v_load(s->coach.direction);
             good =
                 trainee_jaws(t, side, false) &&
-                trainee_go(t, side, v_along(at, -2.0 * ABOVE, along), 2e-3) &&
+                trainee_go(t, side, v_along(at, -2.0 * ABOVE, s->jaws[side]), 2e-3) &&
+                trainee_turn(t, side, across_thread(trainee_see(t)->jaws[side], thread));
+            vec along = trainee_see(t)->jaws[side];
+            good =
+                good && trainee_go(t, side, v_along(at, -2.0 * ABOVE, along), 2e-3) &&
                 trainee_roll_across(t, side, v_load(s->coach.direction)) &&
                 trainee_go(t, side, v_along(at, -ABOVE, along), 1e-3) &&
                 trainee_go(t, side, v_along(v_load(trainee_see(t)->coach.point), IN_BLADES, along),

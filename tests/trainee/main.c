@@ -57,6 +57,11 @@ static bool attempt(trainee *t, vbss_session_exercise exercise, const start_stat
             printf("%s %s%s", i > 0 ? ";" : "", words, m.is_met != 0 ? "" : " MISSED");
         }
     }
+    if (!passed && t->live.stage.task.session != NULL) {
+        vbss_session_coaching c;
+        (void)vbss_session_get_coaching(t->live.stage.task.session, &c, sizeof c);
+        printf(" \"%s\" \"%s\"", c.sentence, c.mistake_sentence);
+    }
     printf("\n");
     fflush(stdout);
     trainee_end(t);
