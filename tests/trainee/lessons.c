@@ -121,10 +121,9 @@ void lesson_cut(trainee *t)
                    trainee_jaws(t, side, true) && trainee_exchange(t, side);
         } else if (s->coach.goal == VBSS_SESSION_GOAL_CUT) {
             vec thread = v_load(s->coach.direction);
-            good =
-                trainee_jaws(t, side, false) &&
-                trainee_go(t, side, v_along(at, -2.0 * ABOVE, s->jaws[side]), 2e-3) &&
-                trainee_turn(t, side, across_thread(trainee_see(t)->jaws[side], thread));
+            good = trainee_jaws(t, side, false) &&
+                   trainee_go(t, side, v_along(at, -2.0 * ABOVE, s->jaws[side]), 2e-3) &&
+                   trainee_turn(t, side, across_thread(trainee_see(t)->jaws[side], thread));
             vec along = trainee_see(t)->jaws[side];
             good =
                 good && trainee_go(t, side, v_along(at, -2.0 * ABOVE, along), 2e-3) &&

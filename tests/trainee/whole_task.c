@@ -3,6 +3,9 @@
 
 #include <stdio.h>
 
+#define OFFERED 40e-3 /* m, beside the slit, */
+#define HIGH 60e-3    /* and above it */
+
 enum { LONGEST = 400 }; /* goals and repeats of them */
 
 /* A hand that holds the needle while the other one comes. */
@@ -11,12 +14,21 @@ static double lean_of(const trainee *t, int side)
     return trainee_see(t)->has_needle[1 - side] ? 0.3 : 0.0;
 }
 
+/* The needle is held up on its own side with its thread slack, and the other hand comes over the drain, not through it. */
 static bool hand_over(trainee *t, int side)
 {
-    if (trainee_see(t)->needle.z < 20e-3 && !lesson_lift(t, 1 - side)) {
-        return false;
+    double own = side == LEFT ? 1.0 : -1.0;
+    bool is_tied = t->slit.z != 0.0, good = true;
+    if (is_tied) {
+        good = trainee_go(t, 1 - side, v3(own * OFFERED, -15e-3, HIGH), 10e-3);
+    } else if (trainee_see(t)->needle.z < 20e-3) {
+        good = lesson_lift(t, 1 - side);
     }
-    return lesson_take(t, side, lean_of(t, side));
+    double low = HIGH - trainee_see(t)->tip[side].z;
+    if (good && low > 5e-3) {
+        good = trainee_move(t, side, v3(0.0, 0.0, low));
+    }
+    return good && lesson_take(t, side, lean_of(t, side));
 }
 
 /* False: the task has ended. */
