@@ -85,6 +85,11 @@ static bool wind(trainee *t, int limb)
         good = trainee_move(t, limb, v3(-left, 0.0, 0.0));
         trainee_say(t, "wound");
     }
+    if (good &&
+        t->until >
+            0) { /* in the whole task a little more, as turns may come off on the path to a tail that lies far away */
+        good = trainee_move(t, limb, v3(-STRIDE, 0.0, 0.0));
+    }
     return good && trainee_aid(t, VBSS_SESSION_AID_WIND);
 }
 
