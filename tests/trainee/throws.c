@@ -19,6 +19,7 @@
 #define LOW 20e-3     /* of the tail below the slit, 70 mm from it */
 #define EASED 1.5e-3  /* of each hand at a time before the tail is let go */
 #define OFF 1.5e-3    /* of the slit from its place */
+#define MOST 2.5      /* N, of both ends */
 #define HARD 1.0      /* N, of an end */
 #define UNLIKE 1.5    /* times the other end's tension */
 #define HALF_TURN 3.14159265358979
@@ -84,11 +85,6 @@ static bool wind(trainee *t, int limb)
         double left = fmin(fmax(c->arc_angle * c->arc_radius, 10e-3), STRIDE);
         good = trainee_move(t, limb, v3(-left, 0.0, 0.0));
         trainee_say(t, "wound");
-    }
-    if (good &&
-        t->until >
-            0) { /* in the whole task a little more, as turns may come off on the path to a tail that lies far away */
-        good = trainee_move(t, limb, v3(-STRIDE, 0.0, 0.0));
     }
     return good && trainee_aid(t, VBSS_SESSION_AID_WIND);
 }
@@ -188,6 +184,20 @@ static bool pull_once(trainee *t, int loop, vec slit, pull_plan p, double step)
     return good;
 }
 
+/* Both hands toward the slit, in turns. */
+static bool ease(trainee *t, int loop)
+{
+    for (int i = 0; i < 4; i++) {
+        int which = i % 2 == 0 ? 1 - loop : loop;
+        vec toward = v_unit(v_sub(t->slit, trainee_see(t)->tip[which]));
+        if (!trainee_move(t, which, v_scale(EASED, toward))) {
+            return false;
+        }
+    }
+    trainee_say(t, "eased");
+    return true;
+}
+
 static bool seat(trainee *t, int loop, double home)
 {
     for (int i = 0; i < 60 && is_goal(t, VBSS_SESSION_GOAL_SEAT); i++) {
@@ -195,6 +205,12 @@ static bool seat(trainee *t, int loop, double home)
         vec slit = v_load(c.point);
         pull_plan p = choose_pull(t, c.force > 0.0 ? side_of(loop) * (slit.x - home) : 0.0);
         t->slit = slit;
+        if (c.length > 0.0 && fmin(trainee_see(t)->tension[0], trainee_see(t)->tension[1]) > MOST) {
+            if (!ease(t, loop)) { /* harder, the slit opens again: once more from little */
+                return false;
+            }
+            continue;
+        }
         if (!pull_once(t, loop, slit, p, c.force > SLACKER * c.pull_force ? SLACK : TAUT)) {
             return false;
         }
@@ -211,14 +227,7 @@ bool lesson_release_tail(trainee *t, int loop)
             return false;
         }
     }
-    for (int i = 0; i < 4; i++) {
-        int which = i % 2 == 0 ? 1 - loop : loop;
-        vec toward = v_unit(v_sub(t->slit, trainee_see(t)->tip[which]));
-        if (!trainee_move(t, which, v_scale(EASED, toward))) {
-            return false;
-        }
-    }
-    return lesson_leave(t, loop);
+    return ease(t, loop) && lesson_leave(t, loop);
 }
 
 bool lesson_throw_part(trainee *t)
