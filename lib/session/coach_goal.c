@@ -136,7 +136,9 @@ static session_goal find_goal_of_throw(const session_object *s, const session_ob
     if (!holds_thread && find_goal_of_return(s, &goal)) {
         return goal;
     }
-    if (s->throw_count > s->seated_count) {
+    /* A slit that opens meanwhile is closed by the next throw, once this is through. */
+    bool draws = observed->tools[loop].has_tail && fabs(s->coach.turns[loop]) > SESSION_WOUND_TURNS;
+    if (s->throw_count > s->seated_count && !draws) {
         return holds_thread ? make_goal(VBSS_SESSION_GOAL_SEAT, loop)
                             : make_goal(VBSS_SESSION_GOAL_TAKE_TAIL, loop);
     }

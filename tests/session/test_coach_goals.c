@@ -125,6 +125,15 @@ static void throw_goals_follow_the_thread(void **state)
     rig_expect_goal(&r, VBSS_SESSION_GOAL_WIND, VBSS_METRICS_TOOL_LEFT);
     assert_int_equal(rig_coaching(&r).number, 1);
     expect_near(1.25, rig_coaching(&r).turns, 1e-12);
+    rig_wind(&r, RIG_RIGHT, -1.3, 1);
+    rig_hold_thread(&r, RIG_RIGHT, 4e-3);
+    rig_pull(&r, 0.0, 2e-3); /* the slit opens under the first throw */
+    run(&r);
+    assert_int_equal(r.s->seated_count, 0);
+    rig_expect_goal(&r, VBSS_SESSION_GOAL_DRAW_TAIL, VBSS_METRICS_TOOL_RIGHT);
+    rig_wind(&r, RIG_RIGHT, 0.0, 0);
+    run(&r);
+    rig_expect_goal(&r, VBSS_SESSION_GOAL_SEAT, VBSS_METRICS_TOOL_RIGHT);
     rig_end(&r);
 }
 
