@@ -147,7 +147,11 @@ static session_goal find_goal_of_throw(const session_object *s, const session_ob
     }
     bool is_wrong = (s->coach.open & (1ull << VBSS_SESSION_MISTAKE_TOO_FEW_TURNS |
                                       1ull << VBSS_SESSION_MISTAKE_BIGHT)) != 0;
-    return is_wrong || !observed->tools[loop].has_tail
+    /* The throw before was pulled once more, without turns of the next one. */
+    bool is_done =
+        (is_current(s, VBSS_SESSION_GOAL_SEAT) || is_current(s, VBSS_SESSION_GOAL_RELEASE_TAIL)) &&
+        !draws;
+    return is_done || is_wrong || !observed->tools[loop].has_tail
                ? make_goal(VBSS_SESSION_GOAL_RELEASE_TAIL, loop)
                : make_goal(VBSS_SESSION_GOAL_DRAW_TAIL, loop);
 }

@@ -134,6 +134,9 @@ static void throw_goals_follow_the_thread(void **state)
     rig_wind(&r, RIG_RIGHT, 0.0, 0);
     run(&r);
     rig_expect_goal(&r, VBSS_SESSION_GOAL_SEAT, VBSS_METRICS_TOOL_RIGHT);
+    rig_pull(&r, 1.0, 3e-4);
+    run(&r);
+    rig_expect_goal(&r, VBSS_SESSION_GOAL_RELEASE_TAIL, VBSS_METRICS_TOOL_RIGHT);
     rig_end(&r);
 }
 
