@@ -15,7 +15,7 @@
 #define LIFT 30e-3    /* of a needle that is out of the drain */
 #define STICKS 0.12   /* N: the tail */
 #define STUCK 1.2e-3  /* of a thread at a time that sticks */
-#define DRAWN 20e-3   /* of the thread at a time, at most */
+#define DRAWN 20e-3   /* of the thread at a time */
 #define UNDER 0.8e-3  /* m, from the mark to jaws in the wall's lee */
 #define ASIDE 1.3e-3  /* along the drain */
 #define BEYOND 1.8e-3 /* of their tips past the mark */
@@ -173,7 +173,7 @@ static bool go_outside(trainee *t, int side)
 }
 
 /* A needle from the floor becomes upright across the drain, with its tip outside the mark. */
-bool lesson_aim(trainee *t, int side)
+bool lesson_reach_mark(trainee *t, int side)
 {
     if (trainee_see(t)->needle.z < -5e-3 && !trainee_move(t, side, v3(0.0, 0.0, LIFT))) {
         return false;
@@ -273,9 +273,9 @@ bool lesson_draw_thread(trainee *t, int side)
     const vbss_session_coaching *c = &trainee_see(t)->coach;
     vec away = v_unit(v3(side == LEFT ? -0.25 : 0.25, -0.2, 1.0));
     vec hole = point_of(t), tip = trainee_see(t)->tip[side];
-    double most = trainee_see(t)->tension[1] > STICKS ? STUCK : DRAWN;
-    double far = v_distance(tip, hole) + fmin(0.7 * c->length + 0.7e-3, most);
-    bool good = trainee_move(t, side, v_limit(v_sub(v_along(hole, far, away), tip), 1.5 * most));
+    double reach = trainee_see(t)->tension[1] > STICKS ? STUCK : DRAWN;
+    double far = v_distance(tip, hole) + fmin(0.7 * c->length + 0.7e-3, reach);
+    bool good = trainee_move(t, side, v_limit(v_sub(v_along(hole, far, away), tip), 1.5 * reach));
     trainee_say(t, "drawn");
     return good;
 }

@@ -6,22 +6,22 @@
 
 #define BESIDE \
     32e-3 /* m, of the needle from the tool that it is to be wound about: on the near side, */
-#define BELOW 12e-3   /* and lower */
-#define BEHIND 10e-3  /* behind that tool's tip */
-#define ABOVE 15e-3   /* over the tail */
-#define TOGETHER 8e-3 /* of one hand before the other follows */
-#define STRIDE 60e-3  /* of the mouse when it winds */
-#define DRAWN 3e-3    /* of the tail at a time */
-#define TAUT 1.5e-3   /* of the limb at a time while both ends are taut, */
-#define SLACK 6e-3    /* and while one is slack: it misses */
-#define SLACKER 0.88  /* more of the force */
-#define FAR 0.15      /* from the slit, to where the hands pull */
-#define LOW 20e-3     /* of the tail below the slit, 70 mm from it */
-#define EASED 1.5e-3  /* of each hand at a time before the tail is let go */
-#define OFF 1.5e-3    /* of the slit from its place */
-#define MOST 2.5      /* N, of both ends */
-#define HARD 1.0      /* N, of an end */
-#define UNLIKE 1.5    /* times the other end's tension */
+#define BELOW 12e-3      /* and lower */
+#define BEHIND 10e-3     /* behind that tool's tip */
+#define ABOVE 15e-3      /* over the tail */
+#define TOGETHER 8e-3    /* of one hand before the other follows */
+#define STRIDE 60e-3     /* of the mouse when it winds */
+#define DRAWN 3e-3       /* of the tail at a time */
+#define TAUT 1.5e-3      /* of the limb at a time while both ends are taut, */
+#define SLACK 6e-3       /* and while one is slack: it misses */
+#define SLACKER 0.88     /* more of the force */
+#define FAR 0.15         /* from the slit, to where the hands pull */
+#define LOW 20e-3        /* of the tail below the slit, 70 mm from it */
+#define SLACKENED 1.5e-3 /* of each hand at a time before the tail is let go */
+#define OFF 1.5e-3       /* of the slit from its place */
+#define LARGEST 2.5      /* N, of both ends */
+#define HARD 1.0         /* N, of an end */
+#define UNLIKE 1.5       /* times the other end's tension */
 #define HALF_TURN 3.14159265358979
 
 static bool is_goal(const trainee *t, vbss_session_goal goal)
@@ -185,16 +185,16 @@ static bool pull_once(trainee *t, int loop, vec slit, pull_plan p, double step)
 }
 
 /* Both hands toward the slit, in turns. */
-static bool ease(trainee *t, int loop)
+static bool slacken(trainee *t, int loop)
 {
     for (int i = 0; i < 4; i++) {
         int which = i % 2 == 0 ? 1 - loop : loop;
         vec toward = v_unit(v_sub(t->slit, trainee_see(t)->tip[which]));
-        if (!trainee_move(t, which, v_scale(EASED, toward))) {
+        if (!trainee_move(t, which, v_scale(SLACKENED, toward))) {
             return false;
         }
     }
-    trainee_say(t, "eased");
+    trainee_say(t, "slackened");
     return true;
 }
 
@@ -205,8 +205,9 @@ static bool seat(trainee *t, int loop, double home)
         vec slit = v_load(c.point);
         pull_plan p = choose_pull(t, c.force > 0.0 ? side_of(loop) * (slit.x - home) : 0.0);
         t->slit = slit;
-        if (c.length > 0.0 && fmin(trainee_see(t)->tension[0], trainee_see(t)->tension[1]) > MOST) {
-            if (!ease(t, loop)) { /* harder, the slit opens again: once more from little */
+        if (c.length > 0.0 &&
+            fmin(trainee_see(t)->tension[0], trainee_see(t)->tension[1]) > LARGEST) {
+            if (!slacken(t, loop)) { /* harder, the slit opens again: once more from little */
                 return false;
             }
             continue;
@@ -218,7 +219,7 @@ static bool seat(trainee *t, int loop, double home)
     return true;
 }
 
-/* A throw that is just seated springs open again when it is let go: it is pulled a little more, and eased by both hands. */
+/* A throw that is just seated springs open again when it is let go: it is pulled a little more, then both hands give way. */
 bool lesson_release_tail(trainee *t, int loop)
 {
     for (int i = 0; i < 4 && fmin(trainee_see(t)->tension[0], trainee_see(t)->tension[1]) < 2.0;
@@ -227,7 +228,7 @@ bool lesson_release_tail(trainee *t, int loop)
             return false;
         }
     }
-    return ease(t, loop) && lesson_leave(t, loop);
+    return slacken(t, loop) && lesson_leave(t, loop);
 }
 
 bool lesson_throw_part(trainee *t)

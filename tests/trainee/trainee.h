@@ -90,7 +90,7 @@ bool lesson_release_tail(trainee *t, int loop);
 bool lesson_take(trainee *t, int side, double lean);
 bool lesson_leave(trainee *t, int side);
 bool lesson_park(trainee *t, int side);
-bool lesson_aim(trainee *t, int side);
+bool lesson_reach_mark(trainee *t, int side);
 bool lesson_drive(trainee *t, int side);
 bool lesson_turn_on(trainee *t, int side);
 bool lesson_draw_needle(trainee *t, int side);

@@ -40,7 +40,7 @@ static bool follow(trainee *t, int side)
     case VBSS_SESSION_GOAL_REACH_MARK:
     case VBSS_SESSION_GOAL_PIERCE:
         t->entry = v_load(trainee_see(t)->coach.point);
-        return lesson_aim(t, side) && lesson_pierce(t);
+        return lesson_reach_mark(t, side) && lesson_pierce(t);
     case VBSS_SESSION_GOAL_DRIVE:
         return lesson_drive(t, side);
     case VBSS_SESSION_GOAL_EXPOSE_TIP:
