@@ -213,6 +213,9 @@ static double hand_over_arc(const session_object *s, const session_observation *
                             uint32_t hand)
 {
     double length = read_needle(s).length;
+    if (s->throw_count == 0) { /* it goes back to the hand that winds first */
+        return SESSION_HOLD_RATIO * length;
+    }
     double held = vbss_session_needle_arc(s, observed->tools[1 - hand].tip);
     return length * (held < SESSION_HAND_OVER_LIMIT * length ? SESSION_HAND_OVER_TIP_RATIO
                                                              : SESSION_HAND_OVER_RATIO);

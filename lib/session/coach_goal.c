@@ -64,12 +64,28 @@ static session_goal find_goal_of_needle(const session_object *s,
                      before != NO_HAND ? 1 - before : 1 - vbss_session_limb_hand(s));
 }
 
+/* The first throw crosses the ends over the slit, so the hand on the side of the first mark winds. True: another one has the needle. */
+static bool find_goal_of_return(const session_object *s, session_goal *goal)
+{
+    uint32_t to = s->holes[SESSION_ENTRY].mark, from = 1 - to;
+    if (s->throw_count > 0 || !holds_needle(s, from)) {
+        return false;
+    }
+    *goal = holds_needle(s, to) ? make_goal(VBSS_SESSION_GOAL_RELEASE_NEEDLE, from)
+                                : make_goal(VBSS_SESSION_GOAL_HAND_OVER, to);
+    return true;
+}
+
 /* A tail that is drawn through turns may draw thread out of the drain: until it is released it is drawn on. */
 static session_goal find_goal_of_tail(const session_object *s, const session_observation *observed)
 {
     uint32_t hand = vbss_session_limb_hand(s);
     if (is_current(s, VBSS_SESSION_GOAL_DRAW_TAIL) && observed->tools[1 - hand].has_tail) {
         return make_goal(VBSS_SESSION_GOAL_DRAW_TAIL, 1 - hand);
+    }
+    session_goal goal;
+    if (find_goal_of_return(s, &goal)) {
+        return goal;
     }
     if (s->holding_tools.value == 0) {
         return make_goal(VBSS_SESSION_GOAL_TAKE_NEEDLE, hand);
@@ -116,7 +132,13 @@ static session_goal find_goal_of_throw(const session_object *s, const session_ob
         return make_goal(VBSS_SESSION_GOAL_TAKE_NEEDLE, limb);
     }
     bool holds_thread = observed->tools[loop].held_arc >= 0.0;
-    if (s->throw_count > s->seated_count) {
+    session_goal goal;
+    if (!holds_thread && find_goal_of_return(s, &goal)) {
+        return goal;
+    }
+    /* A slit that opens meanwhile is closed by the next throw, once this is through. */
+    bool draws = observed->tools[loop].has_tail && fabs(s->coach.turns[loop]) > SESSION_WOUND_TURNS;
+    if (s->throw_count > s->seated_count && !draws) {
         return holds_thread ? make_goal(VBSS_SESSION_GOAL_SEAT, loop)
                             : make_goal(VBSS_SESSION_GOAL_TAKE_TAIL, loop);
     }
@@ -125,7 +147,11 @@ static session_goal find_goal_of_throw(const session_object *s, const session_ob
     }
     bool is_wrong = (s->coach.open & (1ull << VBSS_SESSION_MISTAKE_TOO_FEW_TURNS |
                                       1ull << VBSS_SESSION_MISTAKE_BIGHT)) != 0;
-    return is_wrong || !observed->tools[loop].has_tail
+    /* The throw before was pulled once more, without turns of the next one. */
+    bool is_done =
+        (is_current(s, VBSS_SESSION_GOAL_SEAT) || is_current(s, VBSS_SESSION_GOAL_RELEASE_TAIL)) &&
+        !draws;
+    return is_done || is_wrong || !observed->tools[loop].has_tail
                ? make_goal(VBSS_SESSION_GOAL_RELEASE_TAIL, loop)
                : make_goal(VBSS_SESSION_GOAL_DRAW_TAIL, loop);
 }

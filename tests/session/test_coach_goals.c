@@ -54,15 +54,25 @@ static void stitch_goals_follow_the_needle(void **state)
     rig_thread_through(&r, RIG_ENTRY, 0.02);
     rig_thread_through(&r, RIG_EXIT, 0.01);
     run(&r);
-    rig_expect_goal(&r, VBSS_SESSION_GOAL_DRAW_THREAD, VBSS_METRICS_TOOL_LEFT);
+    rig_expect_goal(&r, VBSS_SESSION_GOAL_HAND_OVER, VBSS_METRICS_TOOL_RIGHT); /* who winds */
+    rig_take(&r, RIG_RIGHT);
+    run(&r);
+    rig_expect_goal(&r, VBSS_SESSION_GOAL_RELEASE_NEEDLE, VBSS_METRICS_TOOL_LEFT);
+    rig_drop(&r, RIG_LEFT);
+    run(&r);
+    rig_expect_goal(&r, VBSS_SESSION_GOAL_DRAW_THREAD, VBSS_METRICS_TOOL_RIGHT);
     expect_near(LENGTH - 0.02 - r.scene.config.tail_high, rig_coaching(&r).length, 1e-12);
     rig_thread_through(&r, RIG_ENTRY, LENGTH - 0.01);
     run(&r);
-    rig_expect_goal(&r, VBSS_SESSION_GOAL_LENGTHEN_TAIL, VBSS_METRICS_TOOL_RIGHT);
+    rig_expect_goal(&r, VBSS_SESSION_GOAL_LENGTHEN_TAIL, VBSS_METRICS_TOOL_LEFT);
     expect_near(5e-3, rig_coaching(&r).length, 1e-12);
     rig_thread_through(&r, RIG_ENTRY, LENGTH - 0.017);
     run(&r);
-    rig_expect_goal(&r, VBSS_SESSION_GOAL_WIND, VBSS_METRICS_TOOL_LEFT);
+    rig_expect_goal(&r, VBSS_SESSION_GOAL_WIND, VBSS_METRICS_TOOL_RIGHT);
+    rig_take(&r, RIG_LEFT); /* and if it is passed once more */
+    rig_drop(&r, RIG_RIGHT);
+    run(&r);
+    rig_expect_goal(&r, VBSS_SESSION_GOAL_HAND_OVER, VBSS_METRICS_TOOL_RIGHT);
     rig_end(&r);
 }
 
@@ -145,6 +155,18 @@ static void throw_goals_follow_the_thread(void **state)
     rig_expect_goal(&r, VBSS_SESSION_GOAL_WIND, VBSS_METRICS_TOOL_LEFT);
     assert_int_equal(rig_coaching(&r).number, 1);
     expect_near(1.25, rig_coaching(&r).turns, 1e-12);
+    rig_wind(&r, RIG_RIGHT, -1.3, 1);
+    rig_hold_thread(&r, RIG_RIGHT, 4e-3);
+    rig_pull(&r, 0.0, 2e-3); /* the slit opens under the first throw */
+    run(&r);
+    assert_int_equal(r.s->seated_count, 0);
+    rig_expect_goal(&r, VBSS_SESSION_GOAL_DRAW_TAIL, VBSS_METRICS_TOOL_RIGHT);
+    rig_wind(&r, RIG_RIGHT, 0.0, 0);
+    run(&r);
+    rig_expect_goal(&r, VBSS_SESSION_GOAL_SEAT, VBSS_METRICS_TOOL_RIGHT);
+    rig_pull(&r, 1.0, 3e-4);
+    run(&r);
+    rig_expect_goal(&r, VBSS_SESSION_GOAL_RELEASE_TAIL, VBSS_METRICS_TOOL_RIGHT);
     rig_end(&r);
 }
 

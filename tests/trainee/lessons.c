@@ -50,7 +50,7 @@ static bool bring_tip(trainee *t)
 }
 
 /* The jaws lie square to the needle, so their roll turns it in its plane. Which sense is right shows in the angle of the coach. */
-static bool turn_square(trainee *t)
+bool lesson_turn_square(trainee *t)
 {
     double sign = 1.0, before = trainee_see(t)->coach.angle;
     for (int i = 0; i < 4 && before > 0.12; i++) {
@@ -67,10 +67,9 @@ static bool turn_square(trainee *t)
 
 /* Straight through the wall, as the coach says, and back to the mark when the tip slides along the wall; then the aid keeps the
  * needle on its arc. */
-void lesson_pass_mark(trainee *t)
+bool lesson_pierce(trainee *t)
 {
-    (void)trainee_finish_motion(t);
-    bool is_at = turn_square(t) && bring_tip(t);
+    bool is_at = lesson_turn_square(t) && bring_tip(t);
     for (int i = 0; i < 15 && is_at; i++) {
         const sight now = *trainee_see(t), *s = &now;
         vec in = v_load(s->coach.direction);
@@ -85,7 +84,13 @@ void lesson_pass_mark(trainee *t)
                     ? trainee_move(t, RIGHT, v_scale(-3e-3, in)) && bring_tip(t)
                     : trainee_move(t, RIGHT, v_along(aside, 1.2e-3, in));
     }
-    if (!is_at || !trainee_aid(t, VBSS_SESSION_AID_ARC)) {
+    return is_at;
+}
+
+void lesson_pass_mark(trainee *t)
+{
+    (void)trainee_finish_motion(t);
+    if (!lesson_pierce(t) || !trainee_aid(t, VBSS_SESSION_AID_ARC)) {
         return;
     }
     for (int i = 0; i < 20 && trainee_move(t, RIGHT, v3(-2e-3, 0.0, 0.0)); i++) {

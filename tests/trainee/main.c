@@ -1,5 +1,6 @@
-/* A scripted trainee does exercises with a mouse: trainee EXERCISE STARTS [SEEDS [FIRST [LOG]]] [-v]. Prints the
- * outcome of each try, and ends with 0 if all were passed. */
+/* A scripted trainee does exercises with a mouse: trainee EXERCISE STARTS [SEEDS [FIRST [LOG]]] [-v], or the whole task:
+ * trainee whole_task [SEEDS [FIRST [LOG]]] [-v] [-s FOLDER] [-r STATE] [-u PHASE]. With -s it saves its state in the folder whenever the coach's goal
+ * changes, and with -r it continues from such a state; with -u it ends at that phase (a number of the session). Prints the outcome of each try, and ends with 0 if all were passed. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -8,6 +9,13 @@
 #include "exercise/practice.h"
 #include "exercise/starts.h"
 #include "trainee/trainee.h"
+
+typedef struct options {
+    unsigned long seeds, first;
+    const char *log, *folder, *state; /* each may be NULL */
+    int until;                        /* a VBSS_SESSION_PHASE_ constant: passed if it is reached */
+    bool verbose;
+} options;
 
 static bool attempt(trainee *t, vbss_session_exercise exercise, const start_states *states,
                     uint64_t seed, const char *log, bool verbose)
@@ -60,28 +68,82 @@ static bool attempt(trainee *t, vbss_session_exercise exercise, const start_stat
     return passed;
 }
 
-int main(int count, char **words)
+/* The whole task. `state`, which may be NULL: continued from there. `folder`, which may be NULL: states are saved there. */
+static bool attempt_task(trainee *t, uint64_t seed, const options *o)
+{
+    vbss_result result =
+        o->state != NULL ? trainee_resume(t, seed, o->state) : trainee_begin_task(t, seed, o->log);
+    if (result != VBSS_OK) {
+        fprintf(stderr, "trainee: the task cannot begin\n");
+        return false;
+    }
+    t->verbose = o->verbose;
+    t->folder = o->folder;
+    t->until = o->until;
+    lesson_whole_task(t);
+    bool is_passed = trainee_report_task(t, seed);
+    trainee_end(t);
+    return is_passed;
+}
+
+static int attempt_all(const char *name, const options *o, vbss_session_exercise exercise,
+                       const start_states *states)
 {
     static trainee t;
-    start_states states;
+    unsigned long passed = 0;
+    for (unsigned long i = 0; i < o->seeds; i++) {
+        uint64_t seed = o->first + i;
+        passed += exercise == VBSS_SESSION_EXERCISE_NONE
+                      ? attempt_task(&t, seed, o)
+                      : attempt(&t, exercise, states, seed, o->log, o->verbose);
+    }
+    printf("%s: %lu of %lu passed\n", name, passed, o->seeds);
+    return passed == o->seeds ? 0 : 1;
+}
+
+/* The words without those of options. */
+static int read_options(int count, char **words, options *o)
+{
+    int left = 0;
+    for (int i = 0; i < count; i++) {
+        if (strcmp(words[i], "-v") == 0) {
+            o->verbose = true;
+        } else if (strcmp(words[i], "-s") == 0 && i + 1 < count) {
+            o->folder = words[++i];
+        } else if (strcmp(words[i], "-u") == 0 && i + 1 < count) {
+            o->until = (int)strtol(words[++i], NULL, 10);
+        } else if (strcmp(words[i], "-r") == 0 && i + 1 < count) {
+            o->state = words[++i];
+        } else {
+            words[left++] = words[i];
+        }
+    }
+    return left;
+}
+
+int main(int count, char **words)
+{
+    start_states states = {0};
+    options o = {.seeds = 1, .until = VBSS_SESSION_PHASE_DONE};
     char why[300];
     use_decimal_point();
-    bool verbose = count > 1 && strcmp(words[count - 1], "-v") == 0;
-    count -= verbose;
+    count = read_options(count, words, &o);
+    bool is_task = count > 1 && strcmp(words[1], "whole_task") == 0;
     vbss_session_exercise exercise =
-        count > 2 ? practice_named(words[1]) : VBSS_SESSION_EXERCISE_NONE;
-    if (exercise == VBSS_SESSION_EXERCISE_NONE ||
-        !starts_read(&states, words[2], why, sizeof why)) {
-        fprintf(stderr, "trainee EXERCISE STARTS [SEEDS [FIRST [LOG]]] [-v]\n");
+        count > 2 && !is_task ? practice_named(words[1]) : VBSS_SESSION_EXERCISE_NONE;
+    int from = is_task ? 2 : 3; /* the whole task needs no states */
+    if (!is_task && (exercise == VBSS_SESSION_EXERCISE_NONE ||
+                     !starts_read(&states, words[2], why, sizeof why))) {
+        fprintf(
+            stderr,
+            "trainee EXERCISE STARTS [SEEDS [FIRST [LOG]]] [-v]\n"
+            "trainee whole_task [SEEDS [FIRST [LOG]]] [-v] [-s FOLDER] [-r STATE] [-u PHASE]\n");
         return 2;
     }
-    unsigned long seeds = count > 3 ? strtoul(words[3], NULL, 10) : 1,
-                  first = count > 4 ? strtoul(words[4], NULL, 10) : 0;
-    unsigned long passed = 0;
-    for (unsigned long i = 0; i < seeds; i++) {
-        passed += attempt(&t, exercise, &states, first + i, count > 5 ? words[5] : NULL, verbose);
-    }
-    printf("%s: %lu of %lu passed\n", words[1], passed, seeds);
+    o.seeds = count > from ? strtoul(words[from], NULL, 10) : 1;
+    o.first = count > from + 1 ? strtoul(words[from + 1], NULL, 10) : 0;
+    o.log = count > from + 2 ? words[from + 2] : NULL;
+    int result = attempt_all(words[1], &o, exercise, &states);
     starts_free(&states);
-    return passed == seeds ? 0 : 1;
+    return result;
 }

@@ -6,20 +6,22 @@
 
 #define BESIDE \
     32e-3 /* m, of the needle from the tool that it is to be wound about: on the near side, */
-#define BELOW 12e-3   /* and lower */
-#define BEHIND 10e-3  /* behind that tool's tip */
-#define ABOVE 15e-3   /* over the tail */
-#define TOGETHER 8e-3 /* of one hand before the other follows */
-#define STRIDE 60e-3  /* of the mouse when it winds */
-#define DRAWN 3e-3    /* of the tail at a time */
-#define TAUT 1.5e-3   /* of the limb at a time while both ends are taut, */
-#define SLACK 6e-3    /* and while one is slack: it misses */
-#define SLACKER 0.88  /* more of the force */
-#define FAR 0.15      /* from the slit, to where the hands pull */
-#define LOW 20e-3     /* of the tail below the slit, 70 mm from it */
-#define OFF 1.5e-3    /* of the slit from its place */
-#define HARD 1.0      /* N, of an end */
-#define UNLIKE 1.5    /* times the other end's tension */
+#define BELOW 12e-3      /* and lower */
+#define BEHIND 10e-3     /* behind that tool's tip */
+#define ABOVE 15e-3      /* over the tail */
+#define TOGETHER 8e-3    /* of one hand before the other follows */
+#define STRIDE 60e-3     /* of the mouse when it winds */
+#define DRAWN 3e-3       /* of the tail at a time */
+#define TAUT 1.5e-3      /* of the limb at a time while both ends are taut, */
+#define SLACK 6e-3       /* and while one is slack: it misses */
+#define SLACKER 0.88     /* more of the force */
+#define FAR 0.15         /* from the slit, to where the hands pull */
+#define LOW 20e-3        /* of the tail below the slit, 70 mm from it */
+#define SLACKENED 1.5e-3 /* of each hand at a time before the tail is let go */
+#define OFF 1.5e-3       /* of the slit from its place */
+#define LARGEST 2.5      /* N, of both ends */
+#define HARD 1.0         /* N, of an end */
+#define UNLIKE 1.5       /* times the other end's tension */
 #define HALF_TURN 3.14159265358979
 
 static bool is_goal(const trainee *t, vbss_session_goal goal)
@@ -51,18 +53,25 @@ static bool go_together(trainee *t, int first, vec by)
     return true;
 }
 
-/* The tools point at each other, the needle is on the near side and low, and the other tool goes over the limb to its place. */
+/* Under the place of the other tool, on the near side. */
+static vec under(const trainee *t, vec inward)
+{
+    return v_along(v_add(point_of(t), v3(0.0, -BESIDE, -BELOW)), -BEHIND, inward);
+}
+
+/* The tools point at each other, the needle is on the near side and low, and the other tool goes over the limb to its place. The needle
+ * comes nearer before it turns: with a taut limb its end would draw the tail out. The coach's point moves with a drain that the limb has
+ * drawn aside, so each movement sees it anew. */
 static bool take_places(trainee *t, int limb)
 {
     int loop = 1 - limb;
     vec inward = v3(-side_of(loop), 0.0, 0.0);
-    if (!trainee_jaws(t, loop, true) || !trainee_turn(t, limb, v_scale(-1.0, inward))) {
-        return false;
-    }
-    vec at = point_of(t), under = v_along(v_add(at, v3(0.0, -BESIDE, -BELOW)), -BEHIND, inward);
-    bool good = trainee_go(t, limb, under, 3e-3) && trainee_turn(t, loop, inward) &&
-                trainee_go(t, loop, v_along(at, -40e-3, inward), 6e-3) &&
-                trainee_go(t, loop, at, 2e-3) && trainee_go(t, limb, under, 3e-3);
+    bool good = trainee_jaws(t, loop, true) && trainee_go(t, limb, under(t, inward), 6e-3) &&
+                trainee_turn(t, limb, v_scale(-1.0, inward)) &&
+                trainee_go(t, limb, under(t, inward), 3e-3) && trainee_turn(t, loop, inward) &&
+                trainee_go(t, loop, v_along(point_of(t), -40e-3, inward), 6e-3) &&
+                trainee_go(t, loop, point_of(t), 2e-3) &&
+                trainee_go(t, limb, under(t, inward), 3e-3);
     trainee_say(t, "in place");
     return good;
 }
@@ -80,10 +89,19 @@ static bool wind(trainee *t, int limb)
     return good && trainee_aid(t, VBSS_SESSION_AID_WIND);
 }
 
+/* Down and outward along the tail: so the jaws open level, and a tail on the floor is between them. */
+static vec toward_tail(const trainee *t, int loop)
+{
+    vec inward = v_load(trainee_see(t)->coach.direction);
+    vec out = v3(-inward.x, -inward.y, 0.0);
+    out = v_length(out) < 0.5 ? v3(-side_of(loop), 0.2, 0.0) : v_unit(out);
+    return v_unit(v_add(v_scale(0.6, out), v3(0.0, 0.0, -0.8)));
+}
+
 /* The needle goes along, so that the turns stay. */
 static bool go_over_tail(trainee *t, int loop)
 {
-    vec down = v_unit(v3(-0.6 * side_of(loop), 0.1, -0.8));
+    vec down = toward_tail(t, loop);
     vec above = v_along(point_of(t), -ABOVE, down);
     return go_together(t, loop, v_sub(above, trainee_see(t)->tip[loop])) &&
            trainee_turn(t, loop, down) && trainee_jaws(t, loop, false) &&
@@ -153,53 +171,90 @@ static pull_plan choose_pull(const trainee *t, double off)
 }
 
 /* One hand after the other pulls, the tail half as far. */
-static bool seat(trainee *t, int loop, double home)
+static bool pull_once(trainee *t, int loop, vec slit, pull_plan p, double step)
 {
     double side = side_of(loop);
+    vec limb = v_add(slit, v3(-side * FAR, 0.0, 7e-3)),
+        tail = v_add(slit, v3(side * FAR, 0.0, -LOW * FAR / 70e-3));
+    limb = v_scale(step, v_unit(v_sub(limb, trainee_see(t)->tip[1 - loop])));
+    tail = v_scale(0.5 * step, v_unit(v_sub(tail, trainee_see(t)->tip[loop])));
+    bool good = (p.limb_rests || trainee_move(t, 1 - loop, limb)) &&
+                (p.tail_rests || trainee_move(t, loop, tail));
+    trainee_say(t, p.tail_rests ? "pulled the limb" : p.limb_rests ? "pulled the tail" : "pulled");
+    return good;
+}
+
+/* Both hands toward the slit, in turns. */
+static bool slacken(trainee *t, int loop)
+{
+    for (int i = 0; i < 4; i++) {
+        int which = i % 2 == 0 ? 1 - loop : loop;
+        vec toward = v_unit(v_sub(t->slit, trainee_see(t)->tip[which]));
+        if (!trainee_move(t, which, v_scale(SLACKENED, toward))) {
+            return false;
+        }
+    }
+    trainee_say(t, "slackened");
+    return true;
+}
+
+static bool seat(trainee *t, int loop, double home)
+{
     for (int i = 0; i < 60 && is_goal(t, VBSS_SESSION_GOAL_SEAT); i++) {
         const vbss_session_coaching c = trainee_see(t)->coach;
         vec slit = v_load(c.point);
-        pull_plan p = choose_pull(t, c.force > 0.0 ? side * (slit.x - home) : 0.0);
-        double step = c.force > SLACKER * c.pull_force ? SLACK : TAUT;
-        vec limb = v_add(slit, v3(-side * FAR, 0.0, 7e-3)),
-            tail = v_add(slit, v3(side * FAR, 0.0, -LOW * FAR / 70e-3));
-        limb = v_scale(step, v_unit(v_sub(limb, trainee_see(t)->tip[1 - loop])));
-        tail = v_scale(0.5 * step, v_unit(v_sub(tail, trainee_see(t)->tip[loop])));
-        if ((!p.limb_rests && !trainee_move(t, 1 - loop, limb)) ||
-            (!p.tail_rests && !trainee_move(t, loop, tail))) {
+        pull_plan p = choose_pull(t, c.force > 0.0 ? side_of(loop) * (slit.x - home) : 0.0);
+        t->slit = slit;
+        if (c.length > 0.0 &&
+            fmin(trainee_see(t)->tension[0], trainee_see(t)->tension[1]) > LARGEST) {
+            if (!slacken(t, loop)) { /* harder, the slit opens again: once more from little */
+                return false;
+            }
+            continue;
+        }
+        if (!pull_once(t, loop, slit, p, c.force > SLACKER * c.pull_force ? SLACK : TAUT)) {
             return false;
         }
-        trainee_say(t, p.tail_rests   ? "pulled the limb"
-                       : p.limb_rests ? "pulled the tail"
-                                      : "pulled");
     }
     return true;
+}
+
+/* A throw that is just seated springs open again when it is let go: it is pulled a little more, then both hands give way. */
+bool lesson_release_tail(trainee *t, int loop)
+{
+    for (int i = 0; i < 4 && fmin(trainee_see(t)->tension[0], trainee_see(t)->tension[1]) < 2.0;
+         i++) {
+        if (!pull_once(t, loop, t->slit, choose_pull(t, 0.0), TAUT)) {
+            return false;
+        }
+    }
+    return slacken(t, loop) && lesson_leave(t, loop);
+}
+
+bool lesson_throw_part(trainee *t)
+{
+    const vbss_session_coaching *c = &trainee_see(t)->coach;
+    int actor = c->tool == VBSS_METRICS_TOOL_LEFT ? LEFT : RIGHT;
+    trainee_say(t, "throw");
+    if (is_goal(t, VBSS_SESSION_GOAL_WIND)) {
+        return take_places(t, actor) && wind(t, actor);
+    }
+    if (is_goal(t, VBSS_SESSION_GOAL_TAKE_TAIL)) {
+        return take_tail(t, actor);
+    }
+    if (is_goal(t, VBSS_SESSION_GOAL_DRAW_TAIL)) {
+        t->home = point_of(t).x;
+        return draw_tail(t, actor);
+    }
+    if (is_goal(t, VBSS_SESSION_GOAL_SEAT)) {
+        return seat(t, actor, t->home);
+    }
+    return is_goal(t, VBSS_SESSION_GOAL_RELEASE_TAIL) && trainee_jaws(t, actor, false);
 }
 
 void lesson_throw(trainee *t)
 {
     (void)trainee_finish_motion(t);
-    for (int i = 0; i < 30; i++) {
-        const vbss_session_coaching *c = &trainee_see(t)->coach;
-        int actor = c->tool == VBSS_METRICS_TOOL_LEFT ? LEFT : RIGHT;
-        bool good = true;
-        trainee_say(t, "throw");
-        if (is_goal(t, VBSS_SESSION_GOAL_WIND)) {
-            good = take_places(t, actor) && wind(t, actor);
-        } else if (is_goal(t, VBSS_SESSION_GOAL_TAKE_TAIL)) {
-            good = take_tail(t, actor);
-        } else if (is_goal(t, VBSS_SESSION_GOAL_DRAW_TAIL)) {
-            t->home = point_of(t).x;
-            good = draw_tail(t, actor);
-        } else if (is_goal(t, VBSS_SESSION_GOAL_SEAT)) {
-            good = seat(t, actor, t->home);
-        } else if (is_goal(t, VBSS_SESSION_GOAL_RELEASE_TAIL)) {
-            good = trainee_jaws(t, actor, false);
-        } else {
-            return;
-        }
-        if (!good) {
-            return;
-        }
+    for (int i = 0; i < 30 && lesson_throw_part(t); i++) {
     }
 }

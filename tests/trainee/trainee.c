@@ -10,6 +10,7 @@
 #define SPEED 0.10     /* m/s, of a movement in the middle */
 #define SHORTEST 0.3   /* s, of a movement */
 #define NOTCH_ROLL 0.1 /* rad */
+#define BLOCKED 0.75   /* share of a movement that is not made */
 
 enum { STEPS = 16, MAX_MOVEMENTS = 12 };
 
@@ -59,6 +60,7 @@ static void observe(trainee *t)
     }
     (void)vbss_needle_get_state(of->site.needle, &needle, sizeof needle);
     s->needle = v_add(v_load(needle.tip), error_of(t, SEES));
+    s->swage = v_add(v_load(needle.swage), error_of(t, SEES));
     (void)vbss_session_get_coaching(t->live.stage.task.session, &s->coach, sizeof s->coach);
 }
 
@@ -68,16 +70,42 @@ const sight *trainee_see(const trainee *t)
     return &t->past[at % (TRAINEE_DELAY + 1)];
 }
 
+vbss_session_phase trainee_phase(const trainee *t)
+{
+    vbss_session_status status;
+    (void)vbss_session_get_status(t->live.stage.task.session, &status, sizeof status);
+    return status.phase;
+}
+
 bool trainee_has_ended(const trainee *t, vbss_session_exercise_state *state)
 {
     return vbss_session_get_exercise(t->live.stage.task.session, state, sizeof *state) == VBSS_OK &&
-           state->outcome != VBSS_SESSION_OUTCOME_NONE;
+           (state->outcome != VBSS_SESSION_OUTCOME_NONE ||
+            trainee_phase(t) >= VBSS_SESSION_PHASE_DONE);
 }
 
-void trainee_say(const trainee *t, const char *what)
+/* The session's events since it was last asked; the trainee does not see them. */
+static void print_events(trainee *t)
+{
+    vbss_session *session = t->live.stage.task.session;
+    vbss_session_status status;
+    char words[TASK_WORDS];
+    (void)vbss_session_get_status(session, &status, sizeof status);
+    for (; t->printed < status.event_count; t->printed++) {
+        vbss_session_event e;
+        if (vbss_session_get_event(session, t->printed, &e, sizeof e) == VBSS_OK &&
+            e.kind != VBSS_SESSION_EVENT_AID && e.kind != VBSS_SESSION_EVENT_GOAL) {
+            task_words(&e, words);
+            printf("    %7.2f s * %s\n", e.time, words);
+        }
+    }
+}
+
+void trainee_say(trainee *t, const char *what)
 {
     const vbss_session_coaching *c = &trainee_see(t)->coach;
     if (t->verbose) {
+        print_events(t);
         printf("  %6.2f s %s: %s [%.1f mm, %.2f rad, %.2f turns, %.2f N, %.2f mm; pulls %.2f, %.2f "
                "N] %s\n",
                t->live.time, what, c->sentence, 1e3 * c->distance, c->angle, c->turns, c->force,
@@ -89,6 +117,19 @@ void trainee_say(const trainee *t, const char *what)
 
 /* ---- time */
 
+/* What is counted of the try; the trainee does not see it. */
+static void count(trainee *t)
+{
+    vbss_session_status status;
+    (void)vbss_session_get_status(t->live.stage.task.session, &status, sizeof status);
+    t->tension = fmax(t->tension, fmax(status.tension[0], status.tension[1]));
+    for (int side = 0; side < SIDES; side++) {
+        vbss_grasper_state tool;
+        (void)vbss_grasper_get_state(t->live.stage.graspers[side], &tool, sizeof tool);
+        t->force = fmax(t->force, v_length(v_load(tool.hand_force)));
+    }
+}
+
 static bool pass_frame(trainee *t)
 {
     vbss_session_exercise_state state;
@@ -96,6 +137,7 @@ static bool pass_frame(trainee *t)
         if (live_step(&t->live) != VBSS_OK) {
             return false;
         }
+        count(t);
     }
     t->frames++;
     observe(t);
@@ -157,6 +199,11 @@ bool trainee_go(trainee *t, int side, vec to, double near)
         if (!trainee_move(t, side, by)) {
             return false;
         }
+        vec left = v_sub(to, trainee_see(t)->tip[side]);
+        if (v_length(left) > BLOCKED * v_length(by) && v_length(by) > 1e-3) {
+            return trainee_move(t, side,
+                                v_scale(-0.7, left)); /* against something: it does not push on */
+        }
     }
     return true;
 }
@@ -175,6 +222,7 @@ bool trainee_roll(trainee *t, int side, double angle)
 
 #define TURN_SPEED 1.5 /* rad/s, on average */
 #define TURNED 0.995   /* cosine */
+#define TURNED_WELL 0.9995
 
 /* The turn about an axis in the plane of the picture that takes one direction to the other: a mouse turns no tool about the line of
  * sight. */
@@ -189,14 +237,14 @@ static vec turn_between(const vbss_mapping_config *c, vec from, vec to)
     return v_scale(atan2(v_dot(axis, v_cross(a, b)), v_dot(a, b)), axis);
 }
 
-bool trainee_turn(trainee *t, int side, vec to)
+static bool turn(trainee *t, int side, vec to, double turned)
 {
     mouse_hand *m = &t->live.hands[side];
     vec right = v_load(m->mapping.right), up = v_load(m->mapping.up);
     t->live.active = side;
     for (int i = 0; i < 6; i++) {
         vec now = trainee_see(t)->jaws[side], by = turn_between(&m->mapping, now, to);
-        if (v_dot(now, to) > TURNED) {
+        if (v_dot(now, to) > turned) {
             return true;
         }
         by = v_scale(1.0 + t->noise * normal(t), by);
@@ -213,6 +261,16 @@ bool trainee_turn(trainee *t, int side, vec to)
         }
     }
     return true;
+}
+
+bool trainee_turn(trainee *t, int side, vec to)
+{
+    return turn(t, side, to, TURNED);
+}
+
+bool trainee_turn_well(trainee *t, int side, vec to)
+{
+    return turn(t, side, to, TURNED_WELL);
 }
 
 /* Angle between the direction and the plane across the opening, about the jaws' axis. */
@@ -257,19 +315,30 @@ bool trainee_exchange(trainee *t, int side)
 
 /* ---- made */
 
-vbss_result trainee_begin(trainee *t, vbss_session_exercise exercise, const start_states *states,
-                          uint64_t seed, const char *log)
+void trainee_wake(trainee *t, uint64_t seed)
 {
     memset(t, 0, sizeof *t);
     t->random = seed * 7919 + 17;
     t->shades = seed * 104729 + 29;
     t->noise = 0.06;
-    TRY(live_create_exercise(&t->live, exercise, states, NULL, log));
+}
+
+void trainee_open_eyes(trainee *t)
+{
     const live_scene *scene = t->live.scene;
     const camera c = camera_from(scene->target, scene->aside, CAMERA_DOWN, scene->away);
     mouse_hand_set_camera(&t->live.hands[LEFT], &c);
     mouse_hand_set_camera(&t->live.hands[RIGHT], &c);
+    t->frames = 0;
     observe(t);
+}
+
+vbss_result trainee_begin(trainee *t, vbss_session_exercise exercise, const start_states *states,
+                          uint64_t seed, const char *log)
+{
+    trainee_wake(t, seed);
+    TRY(live_create_exercise(&t->live, exercise, states, NULL, log));
+    trainee_open_eyes(t);
     return VBSS_OK;
 }
 
