@@ -64,7 +64,7 @@ static void measure_skin(const pad *p, pad_report *r)
         r->gap[i] = pad_opening(p, pad_place(i));
     }
     for (uint32_t i = 0; i < PAD_ROWS; i++) {
-        r->largest_gap = fmax(r->largest_gap, row_gap(p, x, i));
+        r->largest_gap = fmax(r->largest_gap, pad_opening(p, p->sheet.x[p->sheet.lips[0][i]][2]));
     }
     for (uint32_t i = 0; i < PAD_NODES; i++) {
         r->lowest = fmin(r->lowest, x[i].y);
