@@ -5,6 +5,7 @@
 
 #include "base/error.h"
 
+static const double touching = 0.45e-3 /* m, of lips: their contact distance and some more */;
 static const double tight = 0.5 /* N: more would slip the lips over each other */,
                     returning = 1.5 /* s, of hands that have tied */,
                     speed = 60e-3 /* m/s, of a hand that pulls */, arm = 50.0 /* N/m */;
@@ -37,10 +38,11 @@ static vbss_result feel(pad *p)
     return VBSS_OK;
 }
 
-/* The second hand goes on with the needle until the thread is tight. */
+/* The second hand draws the needle until the thread is tight or the lips touch. */
 static void tighten(pad *p)
 {
-    const double lacking = 1.0 - p->tension / tight;
+    const bool is_shut = pad_opening(p, pad_place(p->bite)) < touching;
+    const double lacking = is_shut ? 0.0 : 1.0 - p->tension / tight;
     p->pulled += speed * PAD_STEP * fmax(-1.0, fmin(1.0, 4.0 * lacking));
 }
 

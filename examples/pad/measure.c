@@ -38,14 +38,33 @@ double pad_gap(const pad *p, double z)
     return (1.0 - part) * row_gap(p, x, row) + part * row_gap(p, x, row + 1);
 }
 
+static vec3 on_lip(const pad *p, const vec3 *x, int side, double at)
+{
+    const uint32_t row = (uint32_t)at < PAD_ROWS - 1 ? (uint32_t)at : PAD_ROWS - 2;
+    return vec3_lerp(x[p->sheet.lips[side][row]], x[p->sheet.lips[side][row + 1]], at - row);
+}
+
+double pad_opening(const pad *p, double z)
+{
+    const vec3 *x = skin_nodes(p);
+    const double first = p->sheet.x[p->sheet.lips[0][0]][2],
+                 spacing = p->sheet.x[p->sheet.lips[0][1]][2] - first;
+    const vec3 here = on_lip(p, x, 0, (z - first) / spacing);
+    double nearest = (double)INFINITY;
+    for (uint32_t i = 0; i < 20 * (PAD_ROWS - 1); i++) {
+        nearest = fmin(nearest, vec3_distance(here, on_lip(p, x, 1, i / 20.0)));
+    }
+    return nearest;
+}
+
 static void measure_skin(const pad *p, pad_report *r)
 {
     const vec3 *x = skin_nodes(p);
     for (uint32_t i = 0; i < PAD_BITES; i++) {
-        r->gap[i] = pad_gap(p, pad_place(i));
+        r->gap[i] = pad_opening(p, pad_place(i));
     }
     for (uint32_t i = 0; i < PAD_ROWS; i++) {
-        r->largest_gap = fmax(r->largest_gap, row_gap(p, x, i));
+        r->largest_gap = fmax(r->largest_gap, pad_opening(p, p->sheet.x[p->sheet.lips[0][i]][2]));
     }
     for (uint32_t i = 0; i < PAD_NODES; i++) {
         r->lowest = fmin(r->lowest, x[i].y);

@@ -140,8 +140,10 @@ typedef struct pad_report {
 } pad_report;
 
 vbss_result pad_measure(pad *p, pad_report *r);
-/* Between the lips beside a place, m. */
+/* Between the points of both lips that were opposite each other, beside a place, m. */
 double pad_gap(const pad *p, double z);
+/* From a point of the left lip to the nearest one of the right lip, m: less than the gap where the lips have slid along each other. */
+double pad_opening(const pad *p, double z);
 
 /* picture.c */
 bool pad_save_picture(pad *p, const char *path, const char *text, bool from_above);

@@ -80,9 +80,9 @@ static vbss_result watch(pad *p, const pad_options *o, pad_outcome *out, double 
     pad_report r;
     const uint32_t bite = p->bite;
     if (p->is_tying) {
-        out->tightened[0] = pad_gap(p, pad_place(0));
+        out->tightened[0] = pad_opening(p, pad_place(0));
     } else if (p->phase == PAD_TURN || p->phase == PAD_TIGHTEN) {
-        const double gap = pad_gap(p, pad_place(bite));
+        const double gap = pad_opening(p, pad_place(bite));
         *(p->phase == PAD_TURN ? &out->widest[bite] : &out->tightened[bite]) = gap;
     }
     if (out->steps % TESTED_EVERY == 0) {

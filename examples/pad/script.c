@@ -12,10 +12,12 @@ static const double behind[2] = {175.0 * SCRIPTED_DEGREE,
                                  12.0 * SCRIPTED_DEGREE}; /* the tip: the jaws */
 static const double lean = 20.0 * SCRIPTED_DEGREE /* of the shafts */, retreat = 30e-3 /* m */;
 /* To where the needle is drawn from the circle, m; its direction. */
-static const double draw[PAD_BITES] = {80e-3, 114e-3, 82e-3, 52e-3};
+static const double draw[PAD_BITES] = {80e-3, 112e-3, 76e-3, 42e-3};
 /* The stitch away from where the suture begins. */
 static const double draw_directions[2][3] = {{-0.2, 0.85, -0.49}, {-0.25, 0.93, 0.27}},
                     tighten_direction[3] = {-0.85, 0.1, 0.3}; /* then across the incision */
+/* To pull tight the needle comes down across the incision: pulled up, the lip of the last hole would rise over the other one. */
+static const double low_direction[3] = {-0.9, 0.25, 0.36}, lowering = 0.8 /* s */;
 
 static const double before_tying = 0.3; /* s: the knot pulls the stitch tight */
 
@@ -70,13 +72,18 @@ static double between(double from, double to, double part)
     return from + (to - from) * part;
 }
 
-/* Share of the phase that is over, without jerks at its ends. */
+/* From 0 to 1 without jerks at its ends. */
+static double smooth(double part)
+{
+    const double share = part < 1.0 ? part : 1.0;
+    return share * share * (3.0 - 2.0 * share);
+}
+
+/* Share of the phase that is over. */
 static double part_of(const pad *p)
 {
     const double seconds = pad_phase_time(p->bite, p->phase);
-    const double part = seconds > 0.0 ? p->since / seconds : 1.0;
-    const double share = part < 1.0 ? part : 1.0;
-    return share * share * (3.0 - 2.0 * share);
+    return smooth(seconds > 0.0 ? p->since / seconds : 1.0);
 }
 
 static vec3 site(uint32_t bite)
@@ -89,17 +96,19 @@ static vec3 over_site(uint32_t bite)
     return vec3_make(0.0, above, pad_place(bite));
 }
 
-static vec3 drawn(const pad *p, uint32_t bite, double part)
+/* `lowered`: share of the path from above the stitch to beside it. */
+static vec3 drawn(const pad *p, uint32_t bite, double part, double lowered)
 {
-    const vec3 at =
-        vec3_add_scaled(site(bite), part * draw[bite], vec3_load(draw_directions[bite > 0]));
+    const vec3 up = vec3_load(draw_directions[bite > 0]), low = vec3_load(low_direction);
+    const vec3 direction = bite > 0 ? vec3_unit_or(vec3_lerp(up, low, lowered), up) : up;
+    const vec3 at = vec3_add_scaled(site(bite), part * draw[bite], direction);
     return vec3_add_scaled(at, p->pulled, vec3_load(tighten_direction));
 }
 
 vec3 pad_needle_centre(const pad *p)
 {
     if (p->phase == PAD_OFFER && p->bite >= FIRST_OFFERED) {
-        return vec3_lerp(drawn(p, p->bite - 1, 1.0), over_site(p->bite), part_of(p));
+        return vec3_lerp(drawn(p, p->bite - 1, 1.0, 1.0), over_site(p->bite), part_of(p));
     }
     if (p->phase < PAD_LOWER) {
         return over_site(p->bite);
@@ -107,8 +116,11 @@ vec3 pad_needle_centre(const pad *p)
     if (p->phase == PAD_LOWER) {
         return vec3_lerp(over_site(p->bite), site(p->bite), part_of(p));
     }
-    return p->phase < PAD_DRAW ? site(p->bite)
-                               : drawn(p, p->bite, p->phase == PAD_DRAW ? part_of(p) : 1.0);
+    if (p->phase < PAD_DRAW) {
+        return site(p->bite);
+    }
+    const double lowered = p->phase == PAD_TIGHTEN ? smooth(p->since / lowering) : 0.0;
+    return drawn(p, p->bite, p->phase == PAD_DRAW ? part_of(p) : 1.0, lowered);
 }
 
 double pad_needle_turned(const pad *p)
