@@ -105,8 +105,7 @@ static void accept_solution(contact_set *set)
 /* ---- line search
  *
  * The iterates before and after a solve are in equilibrium, and so is every interpolation of both
- * with interpolated forces. Only the start of a further linearisation is not: it has the imbalance of
- * the one before, and a fraction of the first step keeps the rest of it. The slope is the work of the residual of such a force along the step.
+ * with interpolated forces. The slope is the work of the residual of such a force along the step.
  * It is negative as long as the contact law drives the motion on, and zero where the contacts would
  * stop. For fixed friction bounds, the energy along the step is minimal there. */
 
@@ -164,9 +163,9 @@ static double line_search(contact_set *set, bool wide, bool softened)
 }
 
 /* Moves to the iterate from which the next solve continues. The first solve has no earlier
- * iterate. Returns the fraction of the step. */
-static double advance_iterates(contact_set *set, const contact_active_set_options *options,
-                               bool first, bool softened)
+ * iterate. */
+static void advance_iterates(contact_set *set, const contact_active_set_options *options,
+                             bool first, bool softened)
 {
     double fraction = first ? 1.0 : line_search(set, options->system->wide, softened);
     for (uint32_t i = 0; i < set->count; i++) {
@@ -181,7 +180,6 @@ static double advance_iterates(contact_set *set, const contact_active_set_option
     if (options->operation_limit > 0) {
         vbss_system_advance_line_search(options->system, fraction);
     }
-    return fraction;
 }
 
 /* ---- iteration */
@@ -324,16 +322,14 @@ static contact_outcome iterate_active_set(contact_set *set,
             progress->has_lagged = true;
         }
         if (outcome == CONTACT_NOT_CONVERGED) {
-            double fraction = advance_iterates(set, options, first && !options->starts_from_current,
-                                               progress->has_softened);
-            progress->imbalance_left *= 1.0 - fraction;
+            advance_iterates(set, options, first && !options->starts_from_current,
+                             progress->has_softened);
             if (is_limit_reached(set, options)) {
                 vbss_system_accept_line_search(options->system);
                 set->is_stopped_early = true;
                 outcome = CONTACT_INEXACT;
             }
         } else { /* a further linearisation continues from there */
-            progress->imbalance_left = 0.0;
             memcpy(set->current, set->candidate, set->count * sizeof *set->current);
         }
         accept_solution(set);
@@ -377,7 +373,7 @@ contact_outcome vbss_contact_solve_active_set(contact_set *set,
         if (progress->has_lagged) {
             clear_lags(set);
         }
-        *progress = (contact_active_set_progress){.stiffness_scale = 1.0, .imbalance_left = 1.0};
+        *progress = (contact_active_set_progress){.stiffness_scale = 1.0};
         set->is_stopped_early = false;
         set_sliding_forces(set);
         if (options->operation_limit > 0) {

@@ -181,9 +181,6 @@ typedef struct contact_active_set_progress {
     /* relative residual when it was last halved */
     double reference_residual;
     uint32_t stalled_solves; /* solves since the residual was last halved */
-    /* Part of the imbalance of the system at its start that the current iterate has left: 1 before the first solve
-     * that continues from the present forces, 0 after a whole step. */
-    double imbalance_left;
 } contact_active_set_progress;
 
 /* The budget of one call. Work may be suspended before a solve or a linearisation, and the next

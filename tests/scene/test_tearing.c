@@ -62,7 +62,7 @@ static void hole_holds_just_below(void **state)
     tear_rig_begin(&r, false);
     tear_rig_create(&r, 6, 6);
     vbss_scene_hole hole = hole_of(&r);
-    for (uint32_t i = 0; i < 100 && tear_rig_force(&hole) < 0.98 * TEAR_FORCE; i++) {
+    for (uint32_t i = 0; i < 2000 && tear_rig_force(&hole) < 0.98 * TEAR_FORCE; i++) {
         tear_rig_step(&r, along_x(1e-3));
         hole = hole_of(&r);
     }

@@ -382,19 +382,6 @@ static bool has_budget_for_correction(const scene_object *s)
            (double)operations <= SCENE_CORRECTION_BUDGET_RATIO * (double)budget;
 }
 
-/* A search that was stopped early may take a fraction of its first step. Segments then keep the rest of the length
- * error that the step would have removed, and tensions that nothing balances agree with it. So that rest counts as
- * length error. After an update of normals there is no error from before: lengths had converged. */
-static void add_hidden_stretch(scene_object *s, double previous_stretch)
-{
-    scene_newton_state *newton = &s->step.newton;
-    double left = s->contacts->progress.imbalance_left;
-    double hidden =
-        left > 0.0 && previous_stretch < DIVERGENCE_LIMIT ? left * previous_stretch : 0.0;
-    newton->stretch = vbss_max_or_nan(hidden, newton->stretch);
-    newton->is_converged = newton->is_converged && hidden <= s->solver.stretch_tolerance;
-}
-
 /* Applies the increments of a search to the trial state. `needs_correction`: whether a
  * correction follows. */
 static scene_substep_outcome apply_increments(scene_object *s, const scene_substep *substep,
@@ -405,7 +392,6 @@ static scene_substep_outcome apply_increments(scene_object *s, const scene_subst
     double previous_stretch = newton->stretch;
     bool has_needle_turned = has_needle_turned_far(s);
     advance_trial(s);
-    add_hidden_stretch(s, previous_stretch);
     if (!newton->is_finite || !moves.is_finite) {
         return SCENE_SUBSTEP_SINGULAR;
     }
