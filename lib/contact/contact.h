@@ -59,6 +59,7 @@ typedef enum contact_status { CONTACT_OPEN, CONTACT_STICK, CONTACT_SLIP } contac
 typedef struct contact_solution {
     contact_status status;
     bool is_forward;     /* sleeve, SLIP: it slides with its force along the normal, not against */
+    bool is_tear_capped; /* sleeve: it tears by max_tear_slip */
     double normal_force; /* force on a along the normal, N: on a sleeve the axial force */
     vec3
         tangential_force; /* force on a in the tangent plane, N: on a sleeve the transverse force */
@@ -66,8 +67,7 @@ typedef struct contact_solution {
     /* SLIP: friction bound / |augmented friction force|. Of a sleeve that tears: transverse force / its
      * elastic value. */
     double friction_ratio;
-    double tear_limit;   /* sleeve: transverse force above which it tears, N; 0: it does not tear */
-    bool is_tear_capped; /* sleeve: it tears by max_tear_slip */
+    double tear_limit; /* sleeve: transverse force above which it tears, N; 0: it does not tear */
 } contact_solution;
 
 /* Fields that each solve reads come first. Those that few constraints use come last, so that a
