@@ -33,6 +33,7 @@ void throw_mend(throw_run *t, const throw_plan *plan)
     t->plan = *plan;
     if (mistake ==
         THROW_REVERSED) { /* W comes out of the turns: on its way back C would hook the limb */
+        t->retries = 0;   /* what failed before was wound the other way, too */
         throw_fail(t, "wound the other way");
     } else if (mistake == THROW_COUNTER) { /* on, from the turns that are left */
         t->back = false;
