@@ -24,7 +24,7 @@
 #define FELT 2.5  /* N: a hand that feels more draws back */
 #define BEARS 0.1 /* N: a hand whose fork bears the wall feels more, once that is pressed for */
 #define PRESSED 0.5 /* so many s */
-#define BORNE 1.5   /* s: so long after the fork is told to, the right wall is at rest on it */
+#define BORNE 1.5   /* s: after that time on the fork the right wall is at rest */
 #define SQUARE \
     0.75 /* cosine between needle and wall, beyond which the needle was square to it once; */
 #define ASLANT 0.25      /* so much of it is lost when the wall tips over */

@@ -48,7 +48,7 @@ typedef struct stitch {
     pose from;      /* of the right tool, when it lifts */
     vec beside;     /* so far from both marks it is stitched, knowingly */
     bool withdraws; /* and knowingly drawn back out of the first wall */
-    bool mends;     /* what comes out of the first wall stays out until stitch_mend */
+    bool mends;     /* a withdrawn needle stays out until stitch_mend is called */
     vec errors[2];  /* of aim, at the left and the right mark */
     vec marks[2];   /* as seen, a little late */
     vec trim;       /* of the aim at the left mark */
@@ -78,8 +78,7 @@ vbss_result stitch_create(stitch *t, uint64_t seed, const stitch_plan *plan);
 vbss_result stitch_lead(stitch *t, double dt);
 /* Looks at what it did. */
 vbss_result stitch_observe(stitch *t);
-/* The hands were told of their mistake. A needle that misses its mark is drawn back out of the first wall; one that is out is brought to the
- * mark again. */
+/* Mends a mistake at the first wall: withdraws the needle or, if it is out, brings it to the mark again. */
 void stitch_mend(stitch *t);
 const char *stitch_name(stitch_state state);
 /* stitch_judge.c. How far either hole is from its mark, m (below 0: there is none); true: the needle went through both walls, once

@@ -9,9 +9,9 @@
  *             [-x bending|friction|yield|hardening=number, of the thread: EI in N m^2, with itself, 1/m, fraction of EI]
  *
  * With --calibrate both budgets are those of this core, so a seed does not do the same everywhere.
- * The log is played back. Tells of each seed what came of it. Exits 0 if in all seeds the hands have made the last stage that was
- * named or, if none was, the session calls the whole task done and the slit is shut, or if their mistake is told or, with --mend, mended
- * as far as it can be, and logs play back to the same; else 1. With -g so many good seeds are enough; no simulation may fail all the same, and each log must play back. */
+ * The log is played back. Prints the result of each seed. Exits 0 if logs play back to the same, no simulation fails, and each
+ * seed, or as many as -g asks for, is good: the last stage that was named is made; without one, the session calls the task done and the slit is
+ * shut; with -m the session reports the mistake; with --mend it is mended as far as it can be. Else exits 1. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

@@ -63,7 +63,7 @@ void surgeon_plan_tie(throw_plan *plan)
     throw_plan_usual(plan, 2);
     plan->wrap_tip = WRAP_TIP;
     plan->tension = WINDING;
-    plan->alike = true; /* the drain gives way to what is pulled unlike */
+    plan->alike = true; /* unequal pulls drag the drain along */
     plan->low = LOW;
     plan->still = true;
     plan->minds = SURGEON_MINDS;

@@ -24,6 +24,15 @@ static uint32_t place_of_tail(const throw_run *t)
     return node;
 }
 
+void throw_take_tail(throw_run *t, uint32_t node)
+{
+    hand_open(t->see->w, t->plan.opening);
+    catch_begin(&t->grip, t->see, t->see->w, node, t->plan.opening, 0.06);
+    t->grip.behind = t->plan.behind;
+    t->grip.minds = t->plan.minds;
+    throw_enter(t, THROW_TAIL);
+}
+
 /* Whether the tail is caught once more, nearer to the drain. */
 static bool is_caught_elsewhere(throw_run *t)
 {
@@ -32,11 +41,7 @@ static bool is_caught_elsewhere(throw_run *t)
     }
     t->refused++;
     t->elsewhere++;
-    hand_open(t->see->w, t->plan.opening);
-    catch_begin(&t->grip, t->see, t->see->w, place_of_tail(t), t->plan.opening, 0.06);
-    t->grip.behind = t->plan.behind;
-    t->grip.minds = t->plan.minds;
-    throw_enter(t, THROW_TAIL);
+    throw_take_tail(t, place_of_tail(t));
     return true;
 }
 

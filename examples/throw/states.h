@@ -23,6 +23,8 @@ void throw_check(throw_run *t, double dt);
 void throw_unwind(throw_run *t);
 
 /* ---- pass.c: the tail through the turns */
+/* W opens its jaws, and takes the tail at a node, for another time. */
+void throw_take_tail(throw_run *t, uint32_t node);
 void throw_tail(throw_run *t, double dt);
 vbss_result throw_close(throw_run *t, double dt);
 vbss_result throw_draw(throw_run *t, double dt);

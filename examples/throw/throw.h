@@ -81,7 +81,7 @@ typedef struct throw_plan {
     int retries;
     bool wrong;     /* C goes round the other way */
     bool unchecked; /* what it would tie does not matter */
-    bool other_end; /* C alone pulls, and W gives way: what has turned over becomes flat */
+    bool other_end; /* C alone pulls and W follows, to flatten a capsized throw */
     throw_mistake mistake;
     bool waits; /* once it is made, until somebody says so (throw_mend) */
 } throw_plan;
@@ -121,7 +121,7 @@ typedef struct throw_run {
 void throw_plan_usual(throw_plan *p, int wraps);
 /* The hands shall make that mistake in it. */
 void throw_plan_spoil(throw_plan *p, throw_mistake mistake);
-/* The hands were told of their mistake: they mend it, and go on with the plan as it was before it was spoiled. (mend.c) */
+/* Mends the mistake of the plan, and continues with `plan`, which has none. (mend.c) */
 void throw_mend(throw_run *t, const throw_plan *plan);
 /* A single on top of what is tied. */
 void throw_plan_on_top(throw_plan *p);
