@@ -71,7 +71,7 @@ static const char *const windings[2][2][2] = {WINDINGS("left", "right"), WINDING
 
 static const char *const cuts[2] = {
     "Cut the short tail a few millimetres from the knot, with the blades across it.",
-    "Cut the needle's thread a few millimetres from the knot, with the blades across it."};
+    "Hold the needle's thread up and cut it a few millimetres from the knot, with the blades across it."};
 
 const char *vbss_session_goal_sentence(session_goal goal, uint32_t number, uint32_t wraps,
                                        bool is_over)
