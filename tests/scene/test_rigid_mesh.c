@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "base/rotation.h"
+#include "scene/box_mesh.h"
 #include "scene/capstan_rig.h"
 #include "scene/small.h"
 
@@ -13,37 +14,12 @@
 
 /* ---- meshes */
 
-/* A closed box about the origin, or a flat one: its triangles are the middle of its wall. */
-typedef struct box {
-    double vertices[8][3];
-    vbss_scene_static_mesh_config config;
-} box;
-
-static const uint32_t box_triangles[12][3] = {{0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5},
-                                              {0, 1, 5}, {0, 5, 4}, {2, 6, 7}, {2, 7, 3},
-                                              {0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}};
-
-static void make_box(box *b, vec3 half, double thickness)
-{
-    for (int i = 0; i < 8; i++) {
-        vec3_store(b->vertices[i],
-                   vec3_make((i & 4) != 0 ? half.x : -half.x, (i & 2) != 0 ? half.y : -half.y,
-                             (i & 1) != 0 ? half.z : -half.z));
-    }
-    b->config = vbss_scene_static_mesh_config_default();
-    b->config.vertex_count = 8;
-    b->config.triangle_count = 12;
-    b->config.vertices = b->vertices[0];
-    b->config.triangles = box_triangles[0];
-    b->config.thickness = thickness;
-}
-
 static uint32_t add_box(small *s, vbss_scene_rigid_kind kind, vec3 half, double thickness,
                         vec3 position)
 {
-    box b;
+    box_mesh b;
     uint32_t body = 0;
-    make_box(&b, half, thickness);
+    box_mesh_make(&b, half, thickness);
     b.config.friction = s->rigid.friction;
     s->rigid.kind = kind;
     s->rigid.capsules = NULL;
@@ -173,7 +149,7 @@ static void mesh_pushes_a_thread_as_the_capsule_of_its_shape(void **state)
 static vec3 press_box(bool moves)
 {
     small s;
-    box b;
+    box_mesh b;
     uint32_t body;
     begin(&s);
     small_create(&s);
@@ -184,7 +160,7 @@ static vec3 press_box(bool moves)
     small_pin(&s, thread, 0, carrier);
     small_pin(&s, thread, 30, carrier);
     const vec3 below = vec3_make(1e-3, -3.5e-3, 0.0);
-    make_box(&b, vec3_make(4e-3, 3e-3, 5e-3), THICKNESS);
+    box_mesh_make(&b, vec3_make(4e-3, 3e-3, 5e-3), THICKNESS);
     b.config.friction = 0.25;
     if (moves) {
         vec3_store(s.rigid.position, below);
@@ -544,7 +520,7 @@ static vbss_result try_box(small *s, const vbss_scene_static_mesh_config *config
 /* Adds a box to a scene of its own. */
 static vbss_result add_to_new_scene(vbss_context *context, void *user)
 {
-    const box *b = user;
+    const box_mesh *b = user;
     vbss_scene *scene = NULL;
     uint32_t body = 0;
     const vbss_scene_config config = vbss_scene_config_default();
@@ -560,8 +536,8 @@ static vbss_result add_to_new_scene(vbss_context *context, void *user)
 static void mesh_without_memory_leaves_no_block(void **state)
 {
     (void)state;
-    box b;
-    make_box(&b, vec3_make(5e-3, 5e-3, 5e-3), THICKNESS);
+    box_mesh b;
+    box_mesh_make(&b, vec3_make(5e-3, 5e-3, 5e-3), THICKNESS);
     harness_fail_every_allocation(add_to_new_scene, &b);
 }
 
@@ -577,11 +553,11 @@ static void refused_meshes_change_nothing(void **state)
 {
     (void)state;
     small s;
-    box b;
+    box_mesh b;
     uint32_t body = 77, triangle[3] = {0, 1, 9};
     begin(&s);
     small_create(&s);
-    make_box(&b, vec3_make(5e-3, 5e-3, 5e-3), THICKNESS);
+    box_mesh_make(&b, vec3_make(5e-3, 5e-3, 5e-3), THICKNESS);
     const vbss_scene_static_mesh_config good = b.config;
     vbss_scene_static_mesh_config bad = good;
     const uint64_t hash = small_hash(&s);
@@ -612,10 +588,10 @@ static void refused_meshes_change_nothing(void **state)
     memset(b.vertices, 0, sizeof b.vertices);
     assert_int_equal(try_box(&s, &good, &body), VBSS_ERROR_OUT_OF_RANGE);
     expect_text(&s, "no area");
-    make_box(&b, vec3_make(5e-3, 5e-3, 5e-3), THICKNESS);
+    box_mesh_make(&b, vec3_make(5e-3, 5e-3, 5e-3), THICKNESS);
     b.vertices[3][1] = (double)INFINITY;
     assert_int_equal(try_box(&s, &good, &body), VBSS_ERROR_NOT_FINITE);
-    make_box(&b, vec3_make(5e-3, 5e-3, 5e-3), THICKNESS);
+    box_mesh_make(&b, vec3_make(5e-3, 5e-3, 5e-3), THICKNESS);
     assert_true(small_hash(&s) == hash && body == 77);
     expect_ok(try_box(&s, &good, &body));
     uint32_t pin;
