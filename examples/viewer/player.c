@@ -26,6 +26,14 @@ static vbss_result follow_task(player *p)
     return task_create_as(&s->task, s->tasked, NULL, p->replay, &coached);
 }
 
+static vbss_result read_scene_time(const player *p, double *time)
+{
+    vbss_scene_statistics now;
+    TRY(vbss_scene_get_statistics(p->stage.scene, &now, sizeof now));
+    *time = now.time;
+    return VBSS_OK;
+}
+
 static vbss_result begin(player *p, vbss_context *reader)
 {
     vbss_replay_info info;
@@ -40,7 +48,8 @@ static vbss_result begin(player *p, vbss_context *reader)
     TRY(stage_create(&p->stage, info.note, info.note_bytes));
     TRY(vbss_replay_create(p->stage.context, p->log.data, p->log.count, &p->replay));
     TRY(vbss_replay_begin(p->replay, p->stage.scene));
-    return follow_task(p);
+    TRY(follow_task(p));
+    return read_scene_time(p, &p->begin);
 }
 
 bool player_take(player *p, replay_log log, const char *path)
@@ -84,9 +93,8 @@ static bool differ(player *p, vbss_result result)
 
 static vbss_result read_time(player *p)
 {
-    vbss_scene_statistics now;
-    TRY(vbss_scene_get_statistics(p->stage.scene, &now, sizeof now));
-    p->time = now.time;
+    TRY(read_scene_time(p, &p->time));
+    p->time -= p->begin;
     return VBSS_OK;
 }
 

@@ -12,7 +12,8 @@ typedef struct player {
     uint64_t steps; /* that the log has, and are whole */
     double length;  /* of them together, s */
     uint64_t step;  /* after which it is */
-    double time;    /* of the scene, s */
+    double begin;   /* of the log, in time of the scene, s: not 0 if a state was restored */
+    double time;    /* since then, s */
     bool whole;     /* the log has an end */
     bool differs;   /* the last step was not as it was recorded */
     bool jumped;    /* which thread is tied is not known then, if it was cut */

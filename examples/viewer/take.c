@@ -52,7 +52,9 @@ int mode_take(const options *o)
         return MODE_NO_OPENGL;
     }
     bool good = take(&t, &p, o);
-    printf("%u pictures in %s\n", (unsigned)t.count, o->film != NULL ? o->film : o->folder);
+    if (good) {
+        printf("%u pictures in %s\n", (unsigned)t.count, o->film != NULL ? o->film : o->folder);
+    }
     player_close(&p);
     shots_close(&t);
     headless_end(&gl);
