@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "exercise/places.h"
+#include "paragraphs.h"
 #include "playing.h"
 
 static const char *const help[] = {
@@ -122,19 +123,20 @@ static void put_exercise(playing *p)
     }
     const bool ended = e.outcome != VBSS_SESSION_OUTCOME_NONE,
                passed = e.outcome == VBSS_SESSION_OUTCOME_PASSED;
-    float y = s->tall - SHOW_MARGIN - (ended ? (float)(e.measure_count + 3) : 2.2F) * SHOW_LINE;
+    const float below = ended ? (float)(e.measure_count + 3) : 2.2F;
+    float y = s->tall - SHOW_MARGIN - below * SHOW_LINE;
+    paragraphs sentence = {.count = 0};
     snprintf(line, sizeof line, "%s%s",
              !ended   ? "exercise: "
              : passed ? "PASSED: "
                       : "NOT PASSED: ",
              e.sentence);
-    pen_box(&s->pen, 0.5F * SHOW_MARGIN, y - 1.4F * SHOW_TEXT, s->wide - SHOW_MARGIN,
-            2.0F * SHOW_TEXT, PEN_SHADE);
-    pen_text(&s->pen, SHOW_MARGIN, y, SHOW_TEXT,
-             !ended   ? PEN_WHITE
-             : passed ? PEN_GREEN
-                      : PEN_RED,
-             line);
+    paragraphs_add(&sentence, paragraphs_room(s),
+                   !ended   ? PEN_WHITE
+                   : passed ? PEN_GREEN
+                            : PEN_RED,
+                   line);
+    paragraphs_put(s, &sentence, below);
     for (uint32_t i = 0; ended && i < e.measure_count; i++) {
         y += SHOW_LINE;
         if (vbss_session_get_measure(p->live.stage.task.session, i, &m, sizeof m) == VBSS_OK) {
@@ -162,18 +164,20 @@ static void put_state(playing *p)
         snprintf(of_tool, sizeof of_tool, "%s tool, jaws %s%s%s%s   ",
                  p->live.active == LEFT ? "left" : "right", m->closes ? "closed" : "open",
                  words_of_hold(&tool), m->clutched ? ", stays" : "",
-                 p->window.taken || p->window.has_pad ? "" : "   click to take it");
+                 p->window.taken || p->window.has_pad ? "" : "   click to lead it");
     }
     snprintf(line, sizeof line, "%s%s%s%s", of_tool, p->paused ? "paused   " : "",
              p->window.has_pad    ? "gamepad   "
              : p->window.lost_pad ? "THE GAMEPAD IS GONE   "
                                   : "",
              p->window.taken ? "" : "H for help");
-    pen_box(&s->pen, 0.5F * SHOW_MARGIN, y - 1.4F * SHOW_TEXT, 480.0F, 2.0F * SHOW_TEXT, PEN_SHADE);
-    pen_text(&s->pen, SHOW_MARGIN, y, SHOW_TEXT, p->window.lost_pad ? PEN_RED : PEN_WHITE, line);
+    pen_box(&s->pen, 0.5F * SHOW_MARGIN, y - 1.4F * SHOW_TEXT, s->wide - SHOW_MARGIN,
+            2.0F * SHOW_TEXT, PEN_SHADE);
+    const float end = pen_text(&s->pen, SHOW_MARGIN, y, SHOW_TEXT,
+                               p->window.lost_pad ? PEN_RED : PEN_WHITE, line);
     if (!p->paused && p->o->frame_steps == 0 && p->real_time_factor < 0.9) {
         snprintf(line, sizeof line, "slow motion, %.2f of real time", p->real_time_factor);
-        pen_text(&s->pen, SHOW_MARGIN + 490.0F, y, SHOW_TEXT, PEN_YELLOW, line);
+        pen_text(&s->pen, end + 2.0F * SHOW_TEXT, y, SHOW_TEXT, PEN_YELLOW, line);
     }
 }
 

@@ -3,19 +3,18 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "show.h"
+#include "paragraphs.h"
 
 #define MILLI 1e3
 #define DEGREES (180.0 / 3.14159265358979323846)
 #define RING 2e-3   /* m, radius of the ring about a point */
 #define ARROW 12e-3 /* m, of a direction */
 #define FULL_TURN 6.283185307179586
-#define BESIDE 0.12     /* rad, of an arc's head, at both sides of its end */
-#define TOO_SMALL 1e-9  /* a smaller number is not shown */
-#define CHARACTER 0.72F /* of a letter's height, its width with the space after it */
-#define ABOVE 3.4F      /* lines, that hands and state have below */
+#define BESIDE 0.12    /* rad, of an arc's head, at both sides of its end */
+#define TOO_SMALL 1e-9 /* a smaller number is not shown */
+#define BELOW 4.6F     /* lines: of hands, state and exercise */
 
-enum { RING_SIDES = 16, ARC_SIDES = 48, LINE = 200, LINES = 6 };
+enum { RING_SIDES = 16, ARC_SIDES = 48 };
 
 /* ---- in the scene */
 
@@ -105,31 +104,6 @@ static void draw_geometry(show *s, const vbss_session_coaching *c)
 
 /* ---- in words */
 
-typedef struct lines {
-    char text[LINES][LINE];
-    pen_colour colours[LINES];
-    int count;
-} lines;
-
-/* As many words a line as it has room for. */
-static void add_text(lines *l, size_t room, pen_colour colour, const char *text)
-{
-    room = room < LINE ? room : LINE - 1;
-    while (*text != '\0' && l->count < LINES) {
-        size_t length = strlen(text);
-        if (length > room) {
-            length = room;
-            while (length > 1 && text[length] != ' ') {
-                length--;
-            }
-        }
-        memcpy(l->text[l->count], text, length);
-        l->text[l->count][length] = '\0';
-        l->colours[l->count++] = colour;
-        text += length + (text[length] == ' ');
-    }
-}
-
 static void add_number(char *line, size_t size, const char *format, double value)
 {
     const size_t used = strlen(line);
@@ -138,9 +112,9 @@ static void add_number(char *line, size_t size, const char *format, double value
     }
 }
 
-static void add_numbers(lines *l, size_t room, const vbss_session_coaching *c)
+static void add_numbers(paragraphs *l, size_t room, const vbss_session_coaching *c)
 {
-    char line[LINE] = "";
+    char line[PARAGRAPHS_LINE] = "";
     add_number(line, sizeof line, "%.1f mm away   ", MILLI * c->distance);
     add_number(line, sizeof line, "%.0f degrees   ", DEGREES * c->angle);
     add_number(line, sizeof line, "off course by %.1f mm   ", MILLI * c->offset);
@@ -148,18 +122,7 @@ static void add_numbers(lines *l, size_t room, const vbss_session_coaching *c)
     add_number(line, sizeof line, "%.1f mm to go   ", MILLI * c->length);
     add_number(line, sizeof line, "pull with %.1f N   ", c->pull_force);
     add_number(line, sizeof line, "%.1f N missing", c->force);
-    add_text(l, room, PEN_PALE, line);
-}
-
-static void put_lines(show *s, const lines *l)
-{
-    float y = s->tall - SHOW_MARGIN - (ABOVE + (float)l->count) * SHOW_LINE;
-    pen_box(&s->pen, 0.5F * SHOW_MARGIN, y, s->wide - SHOW_MARGIN,
-            SHOW_LINE * ((float)l->count + 0.5F), PEN_SHADE);
-    for (int i = 0; i < l->count; i++) {
-        y += SHOW_LINE;
-        pen_text(&s->pen, SHOW_MARGIN, y, SHOW_TEXT, l->colours[i], l->text[i]);
-    }
+    paragraphs_add(l, room, PEN_PALE, line);
 }
 
 static bool read_coaching(const show *s, vbss_session_coaching *c)
@@ -171,19 +134,19 @@ static bool read_coaching(const show *s, vbss_session_coaching *c)
 void coaching_draw(show *s)
 {
     vbss_session_coaching c;
-    lines l = {.count = 0};
+    paragraphs l = {.count = 0};
     if (!read_coaching(s, &c)) {
         return;
     }
-    const size_t room = (size_t)((s->wide - 2.0F * SHOW_MARGIN) / (CHARACTER * SHOW_TEXT));
+    const size_t room = paragraphs_room(s);
     draw_geometry(s, &c);
-    add_text(&l, room, PEN_WHITE, c.sentence);
+    paragraphs_add(&l, room, PEN_WHITE, c.sentence);
     add_numbers(&l, room, &c);
     if (c.mistake != VBSS_SESSION_MISTAKE_NONE) {
-        add_text(&l, room, PEN_RED, c.mistake_sentence);
-        add_text(&l, room, PEN_YELLOW, c.remedy);
+        paragraphs_add(&l, room, PEN_RED, c.mistake_sentence);
+        paragraphs_add(&l, room, PEN_YELLOW, c.remedy);
     }
-    put_lines(s, &l);
+    paragraphs_put(s, &l, BELOW);
 }
 
 void coaching_print(const show *s)

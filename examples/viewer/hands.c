@@ -133,7 +133,7 @@ static bool begin(playing *p)
         }
         return false;
     }
-    orbit_begin(&p->orbit, scene->target, scene->aside, scene->away);
+    orbit_begin(&p->orbit, p->live.view.target, p->live.view.aside, p->live.view.away);
     p->show.camera = orbit_camera(&p->orbit);
     mouse_hand_set_camera(&p->live.hands[LEFT], &p->show.camera);
     mouse_hand_set_camera(&p->live.hands[RIGHT], &p->show.camera);

@@ -13,33 +13,23 @@ static const live_scene scenes[] = {
     {"throw",
      "a thread that stands up from a drain, to tie a throw",
      "vbss throw single seed",
-     {0.0F, 0.0F, 0.012F},
-     0.0F,
-     0.12F},
+     {{0.0F, 0.0F, 0.012F}, 0.0F, 0.12F}},
     {"needle",
      "a needle with a short thread on the floor, beside a drain",
      "vbss needle pass seed",
-     {0.012F, 0.0F, 0.0F},
-     0.0F,
-     0.10F},
+     {{0.012F, 0.0F, 0.0F}, 0.0F, 0.10F}},
     {"stitch",
      "the whole task: needle, drain, 150 mm of thread",
      "vbss surgeon seed",
-     {0.012F, 0.0F, 0.0F},
-     0.0F,
-     0.10F},
+     {{0.012F, 0.0F, 0.0F}, 0.0F, 0.10F}},
     {"stitch-120",
      "the same with a thread of 120 segments, for a slow machine",
      "vbss surgeon 120 seed",
-     {0.012F, 0.0F, 0.0F},
-     0.0F,
-     0.10F},
+     {{0.012F, 0.0F, 0.0F}, 0.0F, 0.10F}},
     {"stitch-60",
      "the same with 60 segments",
      "vbss surgeon 60 seed",
-     {0.012F, 0.0F, 0.0F},
-     0.0F,
-     0.10F},
+     {{0.012F, 0.0F, 0.0F}, 0.0F, 0.10F}},
 };
 
 const live_scene *live_at(size_t number)
@@ -89,6 +79,7 @@ static void begin(live *l, const live_scene *scene, arms *a)
 {
     memset(l, 0, sizeof *l);
     l->scene = scene;
+    l->view = scene->view;
     l->arms = a;
     l->active = live_by_device(l, RIGHT) && !live_by_device(l, LEFT) ? LEFT : RIGHT;
 }
@@ -111,6 +102,9 @@ vbss_result live_create(live *l, const live_scene *scene, unsigned long seed, ar
     TRY(throw_rig_begin(l->stage.rig, log, note));
     TRY(begin_hand(l, LEFT));
     TRY(begin_hand(l, RIGHT));
+    if (l->stage.tasked != NULL) {
+        TRY(live_show_tools(l));
+    }
     return begin_task(l);
 }
 
@@ -124,7 +118,8 @@ vbss_result live_create_exercise(live *l, vbss_session_exercise exercise,
     TRY(practice_begin(&l->stage.task, l->stage.tasked, exercise, states));
     TRY(practice_record(&l->stage.task, l->stage.rig, exercise, log));
     TRY(begin_hand(l, LEFT));
-    return begin_hand(l, RIGHT);
+    TRY(begin_hand(l, RIGHT));
+    return live_show_tools(l);
 }
 
 /* ---- a step */

@@ -8,16 +8,22 @@
 #include "report/stage.h"
 #include "trainer/grip.h"
 
+/* Where a camera looks from, as camera_from() has it: target, rad, m. */
+typedef struct live_view {
+    point3 target;
+    float aside, away;
+} live_view;
+
 typedef struct live_scene {
     const char *name, *what;
     const char
-        *note;     /* of its log, before the seed: which scene it is, for whoever plays it back */
-    point3 target; /* of the camera */
-    float aside, away; /* rad, m */
+        *note; /* of its log, before the seed: which scene it is, for whoever plays it back */
+    live_view view;
 } live_scene;
 
 typedef struct live {
     const live_scene *scene;
+    live_view view; /* at first: the scene's, or with a session one that shows both tools */
     stage stage;
     mouse_hand hands[SIDES];
     arms *arms;        /* NULL: both hands are the mouse's */
@@ -38,6 +44,8 @@ vbss_result live_create(live *l, const live_scene *scene, unsigned long seed, ar
 /* An exercise in the scene "stitch". Where it starts is in the states. */
 vbss_result live_create_exercise(live *l, vbss_session_exercise exercise,
                                  const start_states *states, arms *a, const char *log);
+/* Makes the view one of slit and both tools. (live_view.c) */
+vbss_result live_show_tools(live *l);
 /* With a stitch that is there already, its log begun. */
 vbss_result live_take_over(live *l, const live_scene *scene, arms *a, stitch *t, const task *k);
 /* A device leads that hand. */

@@ -46,8 +46,8 @@ vbss_result page_complete(page_session *p, vbss_result made)
         page_clear(p);
         return result;
     }
-    const live_scene *scene = p->live.scene;
-    page_set_camera((double)scene->aside, (double)CAMERA_DOWN, (double)scene->away, 1.0);
+    const live_view *view = &p->live.view;
+    page_set_camera((double)view->aside, (double)CAMERA_DOWN, (double)view->away, 1.0);
     return VBSS_OK;
 }
 

@@ -16,7 +16,7 @@ void page_set_camera(double aside, double down, double away, double aspect)
         return;
     }
     p->aspect = (float)aspect;
-    p->camera = camera_from(p->live.scene->target, (float)aside, (float)down, (float)away);
+    p->camera = camera_from(p->live.view.target, (float)aside, (float)down, (float)away);
     for (int side = 0; side < SIDES && !p->plays; side++) {
         mouse_hand_set_camera(&p->live.hands[side], &p->camera);
     }
@@ -25,10 +25,10 @@ void page_set_camera(double aside, double down, double away, double aspect)
 const double *page_first_camera(void)
 {
     static double place[3];
-    const live_scene *scene = page_get()->live.scene;
-    place[0] = scene != NULL ? (double)scene->aside : 0.0;
+    const live *l = &page_get()->live;
+    place[0] = l->scene != NULL ? (double)l->view.aside : 0.0;
     place[1] = (double)CAMERA_DOWN;
-    place[2] = scene != NULL ? (double)scene->away : (double)CAMERA_AWAY;
+    place[2] = l->scene != NULL ? (double)l->view.away : (double)CAMERA_AWAY;
     return place;
 }
 
@@ -37,7 +37,7 @@ const float *page_view(void)
     static float numbers[2 * MATRIX + REST];
     const page_session *p = page_get();
     const camera_view v = camera_get_view(&p->camera, p->aspect);
-    const point3 target = p->there ? p->live.scene->target : (point3){0.0F, 0.0F, 0.0F};
+    const point3 target = p->there ? p->live.view.target : (point3){0.0F, 0.0F, 0.0F};
     const float rest[REST] = {v.eye.x,
                               v.eye.y,
                               v.eye.z,

@@ -325,8 +325,8 @@ void trainee_wake(trainee *t, uint64_t seed)
 
 void trainee_open_eyes(trainee *t)
 {
-    const live_scene *scene = t->live.scene;
-    const camera c = camera_from(scene->target, scene->aside, CAMERA_DOWN, scene->away);
+    const live_view *v = &t->live.view;
+    const camera c = camera_from(v->target, v->aside, CAMERA_DOWN, v->away);
     mouse_hand_set_camera(&t->live.hands[LEFT], &c);
     mouse_hand_set_camera(&t->live.hands[RIGHT], &c);
     t->frames = 0;
