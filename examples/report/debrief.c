@@ -1,8 +1,10 @@
-/* The three things that would raise the score most: penalties, time that mistakes took, and phases that took long. */
+/* The three things that would raise the score most: penalties, time that mistakes took, and phases that took long. An exercise has
+ * no score: there the measures that were missed, and the mistakes. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
+#include "exercise/places.h"
 #include "report/page.h"
 #include "surgeon/task.h"
 
@@ -93,6 +95,10 @@ static void add_mistake(advice_list *l, const followed *t, uint32_t mistake)
             open = NULL;
         }
     }
+    if (open != NULL) { /* to the end */
+        seconds += t->status.time - open->time;
+        times++;
+    }
     if (times > 0) {
         (void)snprintf(words, sizeof words, "%s That took %.1f s%s. %s",
                        vbss_session_mistake_string((vbss_session_mistake)mistake), seconds,
@@ -157,33 +163,68 @@ static void put_moment(page *p, const facts *f, double time)
     }
 }
 
-void page_debrief(page *p, const facts *f)
+static void put_largest(page *p, const facts *f, advice_list *l, bool points)
 {
-    static advice_list l;
-    const followed *t = &f->again.session;
-    if (t->count == 0 || !t->measured) {
-        return; /* without a session there is no score of the task */
+    for (int i = 0; i < SHOWN && i < l->count; i++) {
+        take_largest(l, i);
+        put(p, "<li>");
+        put_text(p, l->all[i].words);
+        if (points) {
+            put(p, " <strong>%.0f points</strong>, ", l->all[i].points);
+        } else {
+            put(p, " It was seen ");
+        }
+        put_moment(p, f, l->all[i].time);
+        put(p, ".</li>\n");
     }
-    l.count = 0;
-    add_penalties(&l, &f->measured);
+}
+
+static void add_mistakes(advice_list *l, const followed *t)
+{
     for (uint32_t m = 1; m < VBSS_SESSION_MISTAKE_COUNT; m++) {
-        add_mistake(&l, t, m);
+        add_mistake(l, t, m);
     }
+}
+
+static void debrief_exercise(page *p, const facts *f, advice_list *l)
+{
+    const followed *t = &f->again.session;
+    char words[PRACTICE_LINE];
+    uint32_t missed = 0;
+    put(p,
+        "<section aria-labelledby=\"debrief\"><h2 id=\"debrief\">What to do better</h2>\n<ul>\n");
+    for (uint32_t i = 0; i < t->measure_count; i++) {
+        if (t->measures[i].is_met == 0) {
+            practice_words(&t->measures[i], words);
+            put(p, "<li>");
+            put_text(p, words);
+            put(p, ".</li>\n");
+            missed++;
+        }
+    }
+    add_mistakes(l, t);
+    put_largest(p, f, l, false);
+    put(p, "</ul>\n");
+    if (missed == 0 && l->count == 0) {
+        put(p, "<p>Nothing: every measure is met, and no mistake took time.</p>\n");
+    }
+    put(p, "<p class=\"note\">Measures that were missed, and the three mistakes that took most "
+           "time until "
+           "they were mended.</p></section>\n");
+}
+
+static void debrief_task(page *p, const facts *f, advice_list *l)
+{
+    add_penalties(l, &f->measured);
+    add_mistakes(l, &f->again.session);
     for (vbss_session_phase i = VBSS_SESSION_PHASE_LOADING; i < VBSS_SESSION_PHASE_DONE; i++) {
-        add_phase_time(&l, f, i);
+        add_phase_time(l, f, i);
     }
     put(p, "<section aria-labelledby=\"debrief\"><h2 id=\"debrief\">What would raise the score "
            "most</h2>\n<ol>\n");
-    for (int i = 0; i < SHOWN && i < l.count; i++) {
-        take_largest(&l, i);
-        put(p, "<li>");
-        put_text(p, l.all[i].words);
-        put(p, " <strong>%.0f points</strong>, ", l.all[i].points);
-        put_moment(p, f, l.all[i].time);
-        put(p, ".</li>\n");
-    }
+    put_largest(p, f, l, true);
     put(p, "</ol>\n");
-    if (l.count == 0) {
+    if (l->count == 0) {
         put(p,
             "<p>Nothing: no penalty, no mistake that took time, no phase slower than the scripted "
             "surgeon's.</p>\n");
@@ -192,4 +233,19 @@ void page_debrief(page *p, const facts *f)
            "mistake took until it was mended, or that a phase took longer than the scripted "
            "surgeon's. The viewer shows a moment with <code>--replay LOG --from "
            "SECONDS</code>.</p></section>\n");
+}
+
+void page_debrief(page *p, const facts *f)
+{
+    static advice_list l;
+    const followed *t = &f->again.session;
+    if (t->count == 0 || !t->measured) {
+        return; /* without a session there is nothing to improve */
+    }
+    l.count = 0;
+    if (facts_are_of_exercise(f)) {
+        debrief_exercise(p, f, &l);
+    } else {
+        debrief_task(p, f, &l);
+    }
 }

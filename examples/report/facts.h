@@ -173,6 +173,8 @@ vbss_result facts_observe(facts *f, struct stage *s, double time, double cpu_tim
 vbss_result facts_observe_end(facts *f, struct stage *s);
 /* What the session told and measured; the tools must be those of the page. */
 vbss_result facts_observe_session(facts *f, struct stage *s);
+/* The session trains one skill. (observe.c) */
+bool facts_are_of_exercise(const facts *f);
 /* The last reading that was certified; NULL: none was. (observe.c) */
 const reading *facts_certified(const facts *f);
 /* phases.c */

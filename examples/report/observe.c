@@ -247,6 +247,11 @@ vbss_result facts_observe_session(facts *f, stage *s)
     return facts_take(f, s->task.metrics);
 }
 
+bool facts_are_of_exercise(const facts *f)
+{
+    return f->again.session.exercise.exercise != VBSS_SESSION_EXERCISE_NONE;
+}
+
 const reading *facts_certified(const facts *f)
 {
     for (size_t i = f->again.reading_count; i-- > 0;) {

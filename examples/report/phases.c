@@ -115,10 +115,20 @@ static bool is_tying(vbss_session_phase p)
            p == VBSS_SESSION_PHASE_THROW_3;
 }
 
+/* After the first step that has events: an exercise begins within the task. */
+static vbss_session_phase first_phase(const followed *t)
+{
+    size_t i = 0;
+    while (i + 1 < t->count && t->events[i + 1].step == t->events[0].step) {
+        i++;
+    }
+    return t->status.first_event > 0 ? VBSS_SESSION_PHASE_LOADING : t->events[i].phase;
+}
+
 static vbss_result take_phases(facts *f)
 {
     const followed *t = &f->again.session;
-    vbss_session_phase now = VBSS_SESSION_PHASE_LOADING;
+    vbss_session_phase now = first_phase(t);
     double from = 0.0;
     uint64_t step = 0;
     f->phase_source =

@@ -107,9 +107,7 @@ static void put_score_card(page *p, const facts *f)
 {
     const vbss_metrics_report *r = &f->measured.report;
     put(p, "<div class=\"card\"><p class=\"label\">Score</p><p class=\"big");
-    if (f->again.session.exercise.exercise != VBSS_SESSION_EXERCISE_NONE) {
-        put(p, "\">none</p><p>an exercise has no score</p></div>\n");
-    } else if ((r->flags & VBSS_METRICS_FLAG_ASSISTED) != 0) {
+    if ((r->flags & VBSS_METRICS_FLAG_ASSISTED) != 0) {
         put(p, "\">none</p><p>the trainee was assisted</p></div>\n");
     } else if (page_may_go_on(f)) {
         put(p, "\">unknown</p><p>how the trial went on is not in the log</p></div>\n");
@@ -128,14 +126,18 @@ static void put_cards(page *p, const facts *f)
     const measured *m = &f->measured;
     bool done = outcome_of(f) != NOT_DONE;
     put(p, "<div class=\"cards\">\n");
-    put_task(p, f);
+    if (!facts_are_of_exercise(f)) {
+        put_task(p, f);
+    }
     put(p,
         "<div class=\"card\"><p class=\"label\">Time</p><p class=\"big\">%.2f "
         "<small>s</small></p><p>on the session clock, %.2f s of it simulated; %s</p></div>\n",
         m->report.time, m->report.time_simulated,
         done ? "from the begin of the log to the second cut"
              : "recorded, from the begin of the log");
-    put_score_card(p, f);
+    if (!facts_are_of_exercise(f)) {
+        put_score_card(p, f);
+    }
     put_knot_card(p, f);
     put(p, "</div>\n");
 }
@@ -217,15 +219,9 @@ static void put_score(page *p, const measured *m)
         m->report.score);
 }
 
-void page_summary(page *p, const facts *f)
+static void put_score_note(page *p, const facts *f)
 {
     const measured *m = &f->measured;
-    put(p, "<section aria-labelledby=\"summary\"><h2 id=\"summary\">Summary</h2>\n");
-    if (f->again.session.exercise.exercise != VBSS_SESSION_EXERCISE_NONE) {
-        put_exercise(p, &f->again.session);
-    }
-    put_cards(p, f);
-    put_score(p, m);
     put(p,
         "<p class=\"note\">600 &#8722; time &#8722; penalties, as Korndorffer et al. published the "
         "form in 2005; the weights are common ones and not those of FLS, which are not published. "
@@ -241,5 +237,19 @@ void page_summary(page *p, const facts *f)
         put(p,
             " Here the end of the log is taken for the end of the trial, which may have gone on.");
     }
-    put(p, "</p></section>\n");
+    put(p, "</p>");
+}
+
+void page_summary(page *p, const facts *f)
+{
+    put(p, "<section aria-labelledby=\"summary\"><h2 id=\"summary\">Summary</h2>\n");
+    if (facts_are_of_exercise(f)) {
+        put_exercise(p, &f->again.session);
+    }
+    put_cards(p, f);
+    if (!facts_are_of_exercise(f)) {
+        put_score(p, &f->measured);
+        put_score_note(p, f);
+    }
+    put(p, "</section>\n");
 }
