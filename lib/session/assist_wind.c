@@ -26,8 +26,7 @@ static vec3 thread_end(const session_object *s, uint32_t hand)
     return pose_apply_inverse(tool_of(s, hand).pose, end);
 }
 
-/* Length of the thread from the needle to the tissue or the knot; negative: it is in no stitch. */
-static double limb_length(const session_object *s, const session_observation *observed)
+double vbss_session_limb_length(const session_object *s, const session_observation *observed)
 {
     const session_hole_observation *hole =
         vbss_session_find_hole(observed, s->holes[SESSION_EXIT].id);
@@ -40,7 +39,7 @@ static double limb_length(const session_object *s, const session_observation *ob
 double vbss_session_wind_radius(const session_object *s, const session_observation *observed,
                                 uint32_t loop, vec3 centre, double radius, bool winds)
 {
-    double length = limb_length(s, observed);
+    double length = vbss_session_limb_length(s, observed);
     if (length < 0.0) {
         return vbss_min(vbss_max(radius, SESSION_WIND_RADIUS), SESSION_WIND_MAX_RADIUS);
     }

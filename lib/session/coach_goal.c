@@ -116,7 +116,9 @@ static session_goal find_goal_of_winding(const session_object *s, uint32_t limb,
     bool was_wound =
         is_current(s, VBSS_SESSION_GOAL_TAKE_TAIL) || is_current(s, VBSS_SESSION_GOAL_DRAW_TAIL);
     double turns = vbss_session_wanted_sign(s) * s->coach.turns[loop];
-    double wanted = vbss_session_wanted_wraps(s) + (was_wound ? 0.0 : SESSION_TURNS_BEYOND);
+    /* Jaws that turn to the tail see fewer turns for a moment. */
+    double beyond = was_wound ? SESSION_TURNS_BEYOND - SESSION_LOST_TURNS : SESSION_TURNS_BEYOND;
+    double wanted = vbss_session_wanted_wraps(s) + beyond;
     bool ties_nothing = (s->coach.open & 1ull << VBSS_SESSION_MISTAKE_TOWARD_HANDLE) != 0;
     return turns > wanted && !ties_nothing ? make_goal(VBSS_SESSION_GOAL_TAKE_TAIL, loop)
                                            : make_goal(VBSS_SESSION_GOAL_WIND, limb);

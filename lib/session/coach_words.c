@@ -25,7 +25,8 @@ static const char *const goals[VBSS_SESSION_GOAL_CUT + 1][WORDS_HANDS] = {
         EITHER("With the ", " tool, bring the needle's tip to the mark and point it straight at "
                             "the wall."),
     [VBSS_SESSION_GOAL_PIERCE] =
-        EITHER("With the ", " tool, push the tip straight through the wall at the mark."),
+        BOTH("With the ", " tool, push the tip straight through the wall at the mark, while the ",
+             " tool, closed, supports the wall from inside, beside the mark."),
     [VBSS_SESSION_GOAL_DRIVE] =
         EITHER("Turn the ", " wrist so that the needle follows its own curve to the other mark."),
     [VBSS_SESSION_GOAL_EXPOSE_TIP] =

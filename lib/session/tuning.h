@@ -58,10 +58,16 @@
 /* Distance from the tail's end at which it is taken.
  * Unit: m. Origin: chosen, of the scripted surgeon. Test: none known. */
 #define SESSION_TAIL_HOLD VBSS_TUNE(SESSION_TAIL_HOLD, 3.5e-3)
-/* Where the tip of the tool is while thread is wound about it: beyond the slit, and above it; where the
+/* Where the tip of the tool is while thread is wound about it: beyond the slit in the first, second and third throw, and where the
  * turns lie behind its tip. Unit: m. Origin: chosen, of the scripted surgeon. Test: none known. */
 #define SESSION_WIND_BEYOND VBSS_TUNE(SESSION_WIND_BEYOND, 14e-3)
-#define SESSION_WIND_ABOVE VBSS_TUNE(SESSION_WIND_ABOVE, 70e-3)
+#define SESSION_WIND_BEYOND_SECOND VBSS_TUNE(SESSION_WIND_BEYOND_SECOND, 18e-3)
+#define SESSION_WIND_BEYOND_THIRD VBSS_TUNE(SESSION_WIND_BEYOND_THIRD, 26e-3)
+/* Its height above the slit: this part of the limb is left to go round it, within limits.
+ * Unit: m. Origin: chosen, of the scripted surgeon. Test: session.coach_goals. */
+#define SESSION_WIND_ROOM VBSS_TUNE(SESSION_WIND_ROOM, 45e-3)
+#define SESSION_WIND_LOW VBSS_TUNE(SESSION_WIND_LOW, 30e-3)
+#define SESSION_WIND_HIGH VBSS_TUNE(SESSION_WIND_HIGH, 70e-3)
 #define SESSION_WIND_BEHIND VBSS_TUNE(SESSION_WIND_BEHIND, 10e-3)
 /* Radius of the circle to wind, at least and at most: clear of the jaws, and on a thread's free length.
  * Unit: m. Origin: fitted, in the feasibility study of scripted throws. Test: none known. */

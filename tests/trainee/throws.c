@@ -12,6 +12,10 @@
 #define TOGETHER 8e-3    /* of one hand before the other follows */
 #define STRIDE 60e-3     /* of the mouse when it winds */
 #define DRAWN 3e-3       /* of the tail at a time */
+#define SHORTER 1e-3     /* of its jaws to the slit, in each movement, */
+#define SHORT 0.75       /* down to this share: a tail that is taut drags the drain along */
+#define TAKEN_UP 6e-3    /* of the limb at a time */
+#define LIGHT 0.1        /* N, of the limb then */
 #define TAUT 1.5e-3      /* of the limb at a time while both ends are taut, */
 #define SLACK 6e-3       /* and while one is slack: it misses */
 #define SLACKER 0.88     /* more of the force */
@@ -80,6 +84,8 @@ static bool take_places(trainee *t, int limb)
 static bool wind(trainee *t, int limb)
 {
     bool good = trainee_aid(t, VBSS_SESSION_AID_WIND);
+    t->is_wound = true;
+    t->has_pulled = false;
     for (int i = 0; i < 40 && good && is_goal(t, VBSS_SESSION_GOAL_WIND); i++) {
         const vbss_session_coaching *c = &trainee_see(t)->coach;
         double left = fmin(fmax(c->arc_angle * c->arc_radius, 10e-3), STRIDE);
@@ -103,14 +109,16 @@ static bool go_over_tail(trainee *t, int loop)
 {
     vec down = toward_tail(t, loop);
     vec above = v_along(point_of(t), -ABOVE, down);
-    return go_together(t, loop, v_sub(above, trainee_see(t)->tip[loop])) &&
+    vec by = v_sub(above, trainee_see(t)->tip[loop]);
+    return (t->is_wound ? go_together(t, loop, by) : trainee_go(t, loop, above, 3e-3)) &&
            trainee_turn(t, loop, down) && trainee_jaws(t, loop, false) &&
            trainee_roll_across(t, loop, v_load(trainee_see(t)->coach.direction));
 }
 
 static bool go_along_jaws(trainee *t, int loop, double beyond, double near)
 {
-    return trainee_go(t, loop, v_along(point_of(t), beyond, trainee_see(t)->jaws[loop]), near);
+    return !is_goal(t, VBSS_SESSION_GOAL_TAKE_TAIL) ||
+           trainee_go(t, loop, v_along(point_of(t), beyond, trainee_see(t)->jaws[loop]), near);
 }
 
 static bool take_tail(trainee *t, int loop)
@@ -119,7 +127,7 @@ static bool take_tail(trainee *t, int loop)
         bool good = go_over_tail(t, loop) && go_along_jaws(t, loop, -6e-3, 1e-3) &&
                     go_along_jaws(t, loop, 2e-3, 0.6e-3) && trainee_jaws(t, loop, true);
         trainee_say(t, "closed on the tail");
-        if (!good || trainee_see(t)->holds[loop]) {
+        if (!good || trainee_see(t)->holds[loop] || !is_goal(t, VBSS_SESSION_GOAL_TAKE_TAIL)) {
             return good;
         }
         if (!trainee_jaws(t, loop, false)) {
@@ -129,25 +137,45 @@ static bool take_tail(trainee *t, int loop)
     return true;
 }
 
+/* The limb's hand goes outward, until it feels the thread: that draws the last turn off the jaws. */
+static bool take_up(trainee *t, int loop, vec slit)
+{
+    vec out = v_add(slit, v3(-side_of(loop) * FAR, 0.0, 0.0));
+    bool good = trainee_move(t, 1 - loop,
+                             v_scale(TAKEN_UP, v_unit(v_sub(out, trainee_see(t)->tip[1 - loop]))));
+    trainee_say(t, "taken up");
+    return good;
+}
+
 /* The limb is slack over the slit, and the tail goes over it to its own side; past
  * the slit the jaws point inward. */
 static bool draw_tail(trainee *t, int loop)
 {
     double side = side_of(loop);
     bool turned = false;
-    vec slit = point_of(t), over = v_add(slit, v3(-15e-3 * side, 10e-3, 30e-3));
-    if (!trainee_go(t, 1 - loop, over, 5e-3)) {
+    vec slit = point_of(t), over = v_add(slit, v3(-28e-3 * side, 15e-3, 30e-3));
+    vec beside = trainee_see(t)->tip[1 - loop];
+    beside.z = fmax(beside.z, over.z); /* the needle comes over the drain, not through it */
+    if (!trainee_go(t, 1 - loop, beside, 5e-3) || !trainee_go(t, 1 - loop, over, 5e-3)) {
         return false;
     }
     vec arm = v_sub(trainee_see(t)->tip[loop], slit);
     double radius = sqrt(arm.x * arm.x + arm.z * arm.z), angle = atan2(arm.z, side * arm.x);
     angle += angle < -0.5 * HALF_TURN ? 2.0 * HALF_TURN : 0.0;
-    for (int i = 0; i < 40 && is_goal(t, VBSS_SESSION_GOAL_DRAW_TAIL); i++) {
+    double full = radius;
+    t->has_pulled = false;
+    for (int i = 0; i < 60 && is_goal(t, VBSS_SESSION_GOAL_DRAW_TAIL); i++) {
         if (!turned && angle < 0.5 * HALF_TURN) {
             turned =
                 trainee_turn(t, loop, v3(-side, 0.0, 0.0)); /* or the last turn hangs on them */
         }
-        radius += angle > 0.0 ? 0.0 : DRAWN;
+        if (angle <= 0.0 && trainee_see(t)->tension[1] < LIGHT && i % 2 == 0) {
+            if (!take_up(t, loop, slit)) {
+                return false;
+            }
+            continue;
+        }
+        radius = angle > 0.0 ? fmax(radius - SHORTER, SHORT * full) : radius + DRAWN;
         angle -= angle > 0.0 ? DRAWN / radius : 0.0;
         vec to = v_add(slit, v3(side * radius * cos(angle), 0.0, radius * sin(angle)));
         if (!trainee_move(t, loop, v_sub(to, trainee_see(t)->tip[loop]))) {
@@ -200,6 +228,8 @@ static bool slacken(trainee *t, int loop)
 
 static bool seat(trainee *t, int loop, double home)
 {
+    t->has_pulled = true;
+    t->is_wound = false;
     for (int i = 0; i < 60 && is_goal(t, VBSS_SESSION_GOAL_SEAT); i++) {
         const vbss_session_coaching c = trainee_see(t)->coach;
         vec slit = v_load(c.point);
