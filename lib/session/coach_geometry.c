@@ -129,13 +129,6 @@ uint32_t vbss_session_mark_of(const session_object *s, uint32_t hand, uint32_t s
     return side == SESSION_ENTRY ? entry : 1 - entry;
 }
 
-static vec3 hole_position(const session_object *s, const session_observation *observed,
-                          uint32_t side, vec3 fallback)
-{
-    const session_hole_observation *hole = vbss_session_find_hole(observed, s->holes[side].id);
-    return hole != NULL ? hole->position : fallback;
-}
-
 /* ---- tools and thread */
 
 /* Unit vector in which the jaws of a tool point. */
@@ -293,14 +286,27 @@ static void describe_turning(const session_object *s, const session_observation 
 }
 
 static void describe_drawing(const session_object *s, const session_observation *observed,
-                             uint32_t side, vbss_session_coaching *c)
+                             vbss_session_coaching *c)
 {
     const task_frame f = read_frame(s, observed);
-    double beyond = side == SESSION_EXIT ? s->tail_length - s->config.tail_high
-                                         : s->config.tail_low - s->tail_length;
-    set_point(c, hole_position(s, observed, side, f.slit));
+    const session_hole_observation *out =
+        vbss_session_find_hole(observed, s->holes[SESSION_EXIT].id);
+    set_point(c, out != NULL ? out->position : f.slit);
     set_direction(c, f.up);
-    c->length = vbss_max(beyond, 0.0);
+    c->length = vbss_max(s->tail_length - s->config.tail_high, 0.0);
+}
+
+/* The tail is taken beside its hole, and drawn out along itself. */
+static void describe_lengthening(const session_object *s, const session_observation *observed,
+                                 uint32_t hand, vbss_session_coaching *c)
+{
+    const double end = observed->thread_length;
+    const thread_point p =
+        point_on_thread(s, observed, vbss_min(end - s->tail_length + SESSION_TAIL_ROOT, end));
+    set_point(c, p.position);
+    set_direction(c, p.direction);
+    c->distance = distance_from_jaws(s, observed, hand, p.position);
+    c->length = vbss_max(s->config.tail_low - s->tail_length, 0.0);
 }
 
 /* ---- goals of the throws */
@@ -427,10 +433,10 @@ void vbss_session_describe_goal(const session_object *s, const session_observati
         describe_turning(s, observed, goal, coaching);
         break;
     case VBSS_SESSION_GOAL_DRAW_THREAD:
-        describe_drawing(s, observed, SESSION_EXIT, coaching);
+        describe_drawing(s, observed, coaching);
         break;
     case VBSS_SESSION_GOAL_LENGTHEN_TAIL:
-        describe_drawing(s, observed, SESSION_ENTRY, coaching);
+        describe_lengthening(s, observed, goal.tool, coaching);
         break;
     case VBSS_SESSION_GOAL_WIND:
         describe_winding(s, observed, goal, coaching);

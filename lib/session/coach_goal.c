@@ -149,9 +149,10 @@ static session_goal find_goal_of_throw(const session_object *s, const session_ob
     }
     bool is_wrong = (s->coach.open & (1ull << VBSS_SESSION_MISTAKE_TOO_FEW_TURNS |
                                       1ull << VBSS_SESSION_MISTAKE_BIGHT)) != 0;
-    /* The throw before was pulled once more, without turns of the next one. */
+    /* The throw before was pulled once more, or the tail was made longer, without turns of the next one. */
     bool is_done =
-        (is_current(s, VBSS_SESSION_GOAL_SEAT) || is_current(s, VBSS_SESSION_GOAL_RELEASE_TAIL)) &&
+        (is_current(s, VBSS_SESSION_GOAL_SEAT) || is_current(s, VBSS_SESSION_GOAL_RELEASE_TAIL) ||
+         is_current(s, VBSS_SESSION_GOAL_LENGTHEN_TAIL)) &&
         !draws;
     return is_done || is_wrong || !observed->tools[loop].has_tail
                ? make_goal(VBSS_SESSION_GOAL_RELEASE_TAIL, loop)

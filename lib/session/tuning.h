@@ -58,6 +58,9 @@
 /* Distance from the tail's end at which it is taken.
  * Unit: m. Origin: chosen, of the scripted surgeon. Test: none known. */
 #define SESSION_TAIL_HOLD VBSS_TUNE(SESSION_TAIL_HOLD, 3.5e-3)
+/* Distance from the hole at which a tail that is too short is taken.
+ * Unit: m. Origin: chosen: jaws clear of the wall. Test: session.coach_goals. */
+#define SESSION_TAIL_ROOT VBSS_TUNE(SESSION_TAIL_ROOT, 4e-3)
 /* Where the tip of the tool is while thread is wound about it: beyond the slit in the first, second and third throw, and where the
  * turns lie behind its tip. Unit: m. Origin: chosen, of the scripted surgeon. Test: none known. */
 #define SESSION_WIND_BEYOND VBSS_TUNE(SESSION_WIND_BEYOND, 14e-3)

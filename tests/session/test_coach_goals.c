@@ -68,7 +68,15 @@ static void stitch_goals_follow_the_needle(void **state)
     run(&r);
     rig_expect_goal(&r, VBSS_SESSION_GOAL_LENGTHEN_TAIL, VBSS_METRICS_TOOL_LEFT);
     expect_near(5e-3, rig_coaching(&r).length, 1e-12);
+    const vec3 root = vbss_session_thread_position(r.s, &r.observation, LENGTH - 0.01 + 4e-3);
+    expect_near(0.0, vec3_distance(root, vec3_load(rig_coaching(&r).point)), 1e-9);
+    rig_hold_thread(&r, RIG_LEFT, 6e-3);
+    run(&r);
     rig_thread_through(&r, RIG_ENTRY, LENGTH - 0.017);
+    rig_run(&r, 1.0);
+    rig_expect_goal(&r, VBSS_SESSION_GOAL_RELEASE_TAIL, VBSS_METRICS_TOOL_LEFT);
+    assert_int_equal(rig_coaching(&r).mistake, VBSS_SESSION_MISTAKE_NONE); /* no turns are needed */
+    rig_let_go(&r, RIG_LEFT);
     run(&r);
     rig_expect_goal(&r, VBSS_SESSION_GOAL_WIND, VBSS_METRICS_TOOL_RIGHT);
     rig_take(&r, RIG_LEFT); /* and if it is passed once more */

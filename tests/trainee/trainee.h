@@ -98,6 +98,7 @@ bool lesson_turn_on(trainee *t, int side);
 bool lesson_draw_needle(trainee *t, int side);
 bool lesson_lift(trainee *t, int side);
 bool lesson_draw_thread(trainee *t, int side);
+bool lesson_lengthen_tail(trainee *t, int side);
 
 /* ---- whole_task.c, states.c */
 
