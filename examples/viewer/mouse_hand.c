@@ -11,6 +11,7 @@
 #define SWIFTEST 4.0  /* rad/s, of a turn */
 #define REACH 0.15    /* m, of the tool from the middle, each way */
 #define HALF_OPEN 0.5 /* of a handle */
+#define PRESS 8.0     /* N, on a tool: no mouse feels that something holds it back */
 
 enum { SHIFT = 0, TURN = 1 };
 
@@ -60,11 +61,25 @@ static vbss_result go_by_pad(mouse_hand *m, double h)
     return vbss_mapping_gamepad(&own, spin, m->sample.jaw, h, &m->sample);
 }
 
+/* A hand goes no farther away from a tool that something holds back. */
+static vbss_result hold_back(mouse_hand *m, vec before)
+{
+    vbss_grasper_state tool;
+    TRY(vbss_grasper_get_state(m->tool, &tool, sizeof tool));
+    const vec lead = v_sub(v_load(tool.target_position), v_load(tool.position));
+    const vec step = v_sub(v_load(m->sample.position), before);
+    if (v_length(v_load(tool.hand_force)) > PRESS && v_dot(step, lead) > 0.0) {
+        v_store(m->sample.position, v_add(before, v_across(step, v_unit(lead))));
+    }
+    return VBSS_OK;
+}
+
 static vbss_result read_hand(void *user, double now, vbss_device_sample *sample)
 {
     mouse_hand *m = user;
     const double h = fmax(0.0, fmin(now - m->time, LAG));
     const uint32_t jaws = m->closes ? VBSS_MAPPING_MOUSE_CLOSE : 0;
+    const vec before = v_load(m->sample.position);
     double motion[3];
     take(m, TURN, h, motion);
     TRY(roll(m, motion[2], jaws | VBSS_MAPPING_MOUSE_TURN));
@@ -73,6 +88,7 @@ static vbss_result read_hand(void *user, double now, vbss_device_sample *sample)
     take(m, SHIFT, h, motion);
     TRY(vbss_mapping_mouse(&m->mapping, motion, jaws, h, &m->sample));
     TRY(go_by_pad(m, h));
+    TRY(hold_back(m, before));
     m->time = now;
     m->sample.time = now;
     const uint32_t size = sample->struct_size;

@@ -72,7 +72,8 @@ static const char *const windings[2][2][2] = {WINDINGS("left", "right"), WINDING
 
 static const char *const cuts[2] = {
     "Cut the short tail a few millimetres from the knot, with the blades across it.",
-    "Cut the needle's thread a few millimetres from the knot, with the blades across it."};
+    "Hold the needle's thread up and cut it a few millimetres from the knot, with the blades "
+    "across it."};
 
 const char *vbss_session_goal_sentence(session_goal goal, uint32_t number, uint32_t wraps,
                                        bool is_over)
@@ -134,9 +135,10 @@ static const struct {
                                              "less; once it is tight, go on."},
     [VBSS_SESSION_MISTAKE_STRAY_KNOT] = {"There is a knot in one limb of the thread alone.",
                                          "Open it before you pull, or it jams."},
-    [VBSS_SESSION_MISTAKE_CAPSIZED] = {"A throw has turned over into a hitch, which slides.",
-                                       "Pull the other end until the throw is flat, then both "
-                                       "ends equally hard."},
+    [VBSS_SESSION_MISTAKE_CAPSIZED] =
+        {"A throw has turned over into a hitch, which slides.",
+         "Pulling does not make it flat again. Draw the slit shut with it, and "
+         "tie the next throws on top."},
     [VBSS_SESSION_MISTAKE_ONE_SIDED] = {"You pull at one end only, and the throw will turn over.",
                                         "Pull both ends equally hard."},
     [VBSS_SESSION_MISTAKE_SLACK] = {"The throw is tied but hangs loose.",

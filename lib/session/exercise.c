@@ -84,7 +84,7 @@ static const char *const names[] = {
     [VBSS_SESSION_MEASURE_WRAPS] = "wraps of the throw",
     [VBSS_SESSION_MEASURE_SQUARE] = "square to the throw below",
     [VBSS_SESSION_MEASURE_GAP] = "largest gap of the slit",
-    [VBSS_SESSION_MEASURE_TENSION] = "largest tension of the thread",
+    [VBSS_SESSION_MEASURE_TENSION] = "largest lasting tension of the thread",
     [VBSS_SESSION_MEASURE_SHORT_TAIL] = "short tail that is left",
     [VBSS_SESSION_MEASURE_LONG_TAIL] = "needle's tail that is left",
 };
@@ -263,8 +263,21 @@ static void measure_throw(session_object *s, const session_observation *observed
     set_value(s, VBSS_SESSION_MEASURE_SQUARE, is_tied,
               t->relation == VBSS_METRICS_RELATION_SQUARE ? 1.0 : 0.0);
     set_value(s, VBSS_SESSION_MEASURE_GAP, is_tied, vbss_max(observed->max_gap, 0.0));
-    set_value(s, VBSS_SESSION_MEASURE_TENSION, true,
-              vbss_max(value_of(s, VBSS_SESSION_MEASURE_TENSION), observed->max_tension));
+}
+
+/* Tension counts if it lasts. In a step that its budget stops, a segment may have one that nothing balances, and keeps it
+ * while the thread waits. */
+static void measure_tension(session_object *s, double tension)
+{
+    session_exercise *x = &s->exercise;
+    double now = s->time - s->time_lost, largest = value_of(s, VBSS_SESSION_MEASURE_TENSION);
+    x->interval_tension = vbss_min(x->interval_tension, tension);
+    if (now - x->interval_begin >= s->config.dwell) {
+        largest = vbss_max(largest, x->interval_tension);
+        x->interval_begin = now;
+        x->interval_tension = tension;
+    }
+    set_value(s, VBSS_SESSION_MEASURE_TENSION, true, largest);
 }
 
 /* ---- goals */
@@ -345,6 +358,7 @@ void vbss_session_update_exercise(session_object *s, const session_observation *
     measure_events(s, observed);
     measure_grasp(s, observed);
     measure_throw(s, observed);
+    measure_tension(s, observed->max_tension);
     bool is_reached = is_goal_reached(s, observed);
     if (is_reached || s->time >= time_limit(s) || vbss_session_is_over(s)) {
         end_exercise(s, is_reached && find_missed(s) == 0);
@@ -412,6 +426,8 @@ void vbss_session_visit_exercise(vbss_stream *stream, session_exercise *exercise
     vbss_stream_f64(stream, 100, exercise->values, SESSION_MAX_MEASURES);
     vbss_stream_f64(stream, 101, &exercise->rest_height, 1);
     vbss_stream_f64(stream, 102, &exercise->reached_since, 1);
+    vbss_stream_f64(stream, 103, &exercise->interval_begin, 1);
+    vbss_stream_f64(stream, 104, &exercise->interval_tension, 1);
     bool is_wrong = exercise->outcome > VBSS_SESSION_OUTCOME_FAILED ||
                     exercise->known >> SESSION_MAX_MEASURES != 0;
     if (is_wrong && !stream->trusted) {

@@ -212,6 +212,8 @@ typedef struct session_exercise {
     double values[SESSION_MAX_MEASURES];
     double rest_height;   /* of the needle's middle in the first step, along up, m */
     double reached_since; /* session time since which the goal is reached, s; negative: it is not */
+    /* interval over which the smallest tension is taken: its begin, s, and that tension, N */
+    double interval_begin, interval_tension;
 } session_exercise;
 
 /* Input that the host has passed for the next step; not saved. */

@@ -394,7 +394,6 @@ static void thread_drawn_through_the_stitch_is_a_pull_at_one_end(void **state)
 {
     (void)state;
     rig r;
-    rig_begin_coached(&r);
     to_tied(&r);
     r.observation.tension[0] = r.observation.tension[1] = 0.15; /* the other hand gives way */
     rig_thread_through(&r, RIG_ENTRY, r.observation.thread_length - 34e-3);

@@ -304,17 +304,32 @@ static void a_throw_needs_its_wraps(void **state)
     }
 }
 
-static void a_pull_that_was_too_hard_fails_a_throw(void **state)
+static void a_lasting_pull_that_was_too_hard_fails_a_throw(void **state)
 {
     (void)state;
     static rig r;
-    begin(&r, VBSS_SESSION_EXERCISE_DOUBLE_THROW);
-    rig_to_tail(&r);
-    r.observation.max_tension = 6.2;
-    rig_run(&r, 0.01);
-    tie_and_seat(&r, 0, 2, VBSS_METRICS_RELATION_FIRST);
-    expect_outcome(&r, VBSS_SESSION_OUTCOME_FAILED, 4);
-    rig_end(&r);
+    static const struct {
+        double seconds;
+        bool waits; /* the scene leaves the time out */
+        bool fails;
+    } rows[] = {{0.12, false, true}, {0.03, false, false}, {0.3, true, false}};
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+        begin(&r, VBSS_SESSION_EXERCISE_DOUBLE_THROW);
+        rig_to_tail(&r);
+        r.observation.max_tension = 6.2;
+        for (double t = 0.0; t < rows[i].seconds; t += RIG_STEP) {
+            rig_run(&r, RIG_STEP);
+            r.s->time_lost += rows[i].waits ? RIG_STEP : 0.0;
+        }
+        r.observation.max_tension = 1.5;
+        tie_and_seat(&r, 0, 2, VBSS_METRICS_RELATION_FIRST);
+        expect_outcome(&r,
+                       rows[i].fails ? VBSS_SESSION_OUTCOME_FAILED : VBSS_SESSION_OUTCOME_PASSED,
+                       rows[i].fails ? 4 : 0);
+        expect_near(rows[i].fails ? 6.2 : 1.5, measure_of(&r, VBSS_SESSION_MEASURE_TENSION).value,
+                    0.0);
+        rig_end(&r);
+    }
 }
 
 static void a_second_throw_has_to_be_square(void **state)
@@ -461,7 +476,7 @@ int test_exercises(void)
         cmocka_unit_test(a_mark_is_passed_straight_and_near),
         cmocka_unit_test(a_hole_that_was_left_does_not_count_and_a_third_one_does),
         cmocka_unit_test(a_throw_needs_its_wraps),
-        cmocka_unit_test(a_pull_that_was_too_hard_fails_a_throw),
+        cmocka_unit_test(a_lasting_pull_that_was_too_hard_fails_a_throw),
         cmocka_unit_test(a_second_throw_has_to_be_square),
         cmocka_unit_test(the_coach_asks_for_the_wraps_of_the_exercise),
         cmocka_unit_test(both_tails_must_have_their_length),

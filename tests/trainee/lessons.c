@@ -2,8 +2,7 @@
 
 #include <math.h>
 
-#define ABOVE 12e-3    /* m, above the thing to take */
-#define IN_BLADES 3e-3 /* m, from their tip to the thread */
+#define ABOVE 12e-3 /* m, above the thing to take */
 
 /* The coach gives the place; how the jaws have to be rolled he does not say, so they are tried. */
 void lesson_take_needle(trainee *t)
@@ -95,48 +94,5 @@ void lesson_pass_mark(trainee *t)
     }
     for (int i = 0; i < 20 && trainee_move(t, RIGHT, v3(-2e-3, 0.0, 0.0)); i++) {
         trainee_say(t, "drive");
-    }
-}
-
-/* Where the blades point so that they lie across the thread: else the knot is between them, too. */
-static vec across_thread(vec jaws, vec thread)
-{
-    vec square = v_along(jaws, -v_dot(jaws, thread), thread), down = v3(0.0, 0.0, -1.0);
-    return v_unit(v_length(square) > 0.5 ? square : v_along(down, -v_dot(down, thread), thread));
-}
-
-/* The hand that the coach names opens, goes aside, takes shears, and cuts at the point of the coach. */
-void lesson_cut(trainee *t)
-{
-    (void)trainee_finish_motion(t);
-    for (int i = 0; i < 30; i++) {
-        const sight now = *trainee_see(t), *s = &now;
-        int side = s->coach.tool == VBSS_METRICS_TOOL_LEFT ? LEFT : RIGHT;
-        vec at = v_load(s->coach.point);
-        bool good = true;
-        trainee_say(t, "cut");
-        if (s->coach.goal == VBSS_SESSION_GOAL_TAKE_SHEARS) {
-            good = trainee_jaws(t, side, false) &&
-                   trainee_go(t, side, v3(side == LEFT ? -0.06 : 0.06, -0.01, 0.06), 5e-3) &&
-                   trainee_jaws(t, side, true) && trainee_exchange(t, side);
-        } else if (s->coach.goal == VBSS_SESSION_GOAL_CUT) {
-            vec thread = v_load(s->coach.direction);
-            good = trainee_jaws(t, side, false) &&
-                   trainee_go(t, side, v_along(at, -2.0 * ABOVE, s->jaws[side]), 2e-3) &&
-                   trainee_turn(t, side, across_thread(trainee_see(t)->jaws[side], thread));
-            vec along = trainee_see(t)->jaws[side];
-            good =
-                good && trainee_go(t, side, v_along(at, -2.0 * ABOVE, along), 2e-3) &&
-                trainee_roll_across(t, side, v_load(s->coach.direction)) &&
-                trainee_go(t, side, v_along(at, -ABOVE, along), 1e-3) &&
-                trainee_go(t, side, v_along(v_load(trainee_see(t)->coach.point), IN_BLADES, along),
-                           0.6e-3) &&
-                trainee_jaws(t, side, true);
-        } else {
-            good = trainee_wait(t, 20);
-        }
-        if (!good) {
-            return;
-        }
     }
 }

@@ -76,11 +76,12 @@ vbss_session_phase trainee_phase(const trainee *t);
 
 void lesson_take_needle(trainee *t);
 void lesson_pass_mark(trainee *t);
-void lesson_cut(trainee *t);
 /* The jaws lie square to the needle: their roll turns it until its tip points into the wall. */
 bool lesson_turn_square(trainee *t);
 /* False: the exercise has ended. */
 bool lesson_pierce(trainee *t);
+/* cut.c */
+void lesson_cut(trainee *t);
 /* throws.c */
 void lesson_throw(trainee *t);
 /* What the present goal asks for; false: the exercise has ended, or the goal belongs to no throw. */

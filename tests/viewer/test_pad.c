@@ -169,6 +169,39 @@ static void centred_hand_has_no_edge(void **state)
     assert_int_equal(vbss_context_destroy(r.context), VBSS_OK);
 }
 
+/* 0.2 m into the floor by mouse, and back at once: neither force nor way back grow with the excess. */
+static void hand_stops_with_a_tool_that_is_held(void **state)
+{
+    (void)state;
+    rig r;
+    vbss_scene *scene;
+    vbss_scene_config c;
+    vbss_grasper_state tool;
+    double max_force = 0.0;
+    set_up(&r);
+    assert_int_equal(vbss_scene_config_init(&c, sizeof c), VBSS_OK);
+    c.floor = 1;
+    memcpy(c.floor_normal, (const double[3]){0.0, 1.0, 0.0}, sizeof c.floor_normal);
+    assert_int_equal(vbss_scene_create(r.context, &c, &scene), VBSS_OK);
+    assert_int_equal(vbss_scene_add_grasper(scene, r.tool, &r.hand.body), VBSS_OK);
+    mouse_hand_move(&r.hand, false, 0.0, -0.2 / r.hand.mapping.mouse_metres, 0.0);
+    for (int i = 1; i <= 1500; i++) {
+        run(&r, i - 1, 1);
+        assert_int_equal(vbss_grasper_set_target(r.tool, r.hand.in.position, r.hand.in.orientation),
+                         VBSS_OK);
+        assert_int_equal(vbss_scene_step(scene, STEP), VBSS_OK);
+        assert_int_equal(vbss_grasper_get_state(r.tool, &tool, sizeof tool), VBSS_OK);
+        max_force = fmax(max_force, tool.hand_force[1]);
+        if (i == 1000) {
+            assert_true(tool.hand_force[1] > 7.0);
+            mouse_hand_move(&r.hand, false, 0.0, 0.1 / r.hand.mapping.mouse_metres, 0.0);
+        }
+    }
+    assert_true(max_force < 10.0);
+    assert_true(tool.position[1] > 0.07);
+    assert_int_equal(vbss_context_destroy(r.context), VBSS_OK);
+}
+
 int test_pad(void)
 {
     const struct CMUnitTest tests[] = {
@@ -179,6 +212,7 @@ int test_pad(void)
         cmocka_unit_test(full_stick_moves_at_mapping_speed),
         cmocka_unit_test(last_axis_rolls_tool_about_its_axis),
         cmocka_unit_test(centred_hand_has_no_edge),
+        cmocka_unit_test(hand_stops_with_a_tool_that_is_held),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
