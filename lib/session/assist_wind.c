@@ -58,10 +58,19 @@ static double approach(double from, double to, double step)
     return from < to ? vbss_min(from + step, to) : vbss_max(from - step, to);
 }
 
+static bool has_just_lost_turns(const session_object *s)
+{
+    return (s->coach.open & 1ull << VBSS_SESSION_MISTAKE_TURNS_LOST) != 0 &&
+           s->time - s->coach.begun[VBSS_SESSION_MISTAKE_TURNS_LOST] < SESSION_WIND_PAUSE;
+}
+
 /* A hand off the circle comes to it while it moves. */
 void vbss_session_wind(session_object *s, session_aided_hand *hand, uint32_t number, double length)
 {
     uint32_t loop = 1 - number;
+    if (length > 0.0 && has_just_lost_turns(s)) {
+        return;
+    }
     const scene_grasper_info tool = tool_of(s, loop);
     vec3 back = vec3_neg(quat_rotate(tool.pose.orientation, tool.forward));
     vec3 centre = vec3_add_scaled(tool.pose.position, SESSION_WIND_BEHIND, back);

@@ -79,6 +79,9 @@
 /* Radius of the circle that WIND keeps over the one at which the thread is taut, so that a drain that moves does not draw it.
  * Unit: 1, relative to the free length of the thread. Origin: chosen, of the scripted surgeon. Test: session.assistance. */
 #define SESSION_WIND_SNUG VBSS_TUNE(SESSION_WIND_SNUG, 0.92)
+/* Time for which WIND stops when turns have come off: a hand that winds on draws the thread out.
+ * Unit: s. Origin: chosen: longer than a movement and the reaction to the coach. Test: session.assistance. */
+#define SESSION_WIND_PAUSE VBSS_TUNE(SESSION_WIND_PAUSE, 2.0)
 /* Radius of a turn on the jaws: neck and thread.
  * Unit: m. Origin: derived: default of neck_radius and half a thread of 0.2 mm. Test: none known. */
 #define SESSION_WIND_NECK VBSS_TUNE(SESSION_WIND_NECK, 1.3e-3)

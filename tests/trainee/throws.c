@@ -11,6 +11,7 @@
 #define ABOVE 15e-3      /* over the tail */
 #define TOGETHER 8e-3    /* of one hand before the other follows */
 #define STRIDE 60e-3     /* of the mouse when it winds */
+#define WAITS 130        /* frames, when turns have come off */
 #define DRAWN 3e-3       /* of the tail at a time */
 #define SHORTER 1e-3     /* of its jaws to the slit, in each movement, */
 #define SHORT 0.75       /* down to this share: a tail that is taut drags the drain along */
@@ -80,6 +81,14 @@ static bool take_places(trainee *t, int limb)
     return good;
 }
 
+/* The aid stops; the thread comes to rest meanwhile. */
+static bool heed_lost_turns(trainee *t)
+{
+    t->warned = trainee_see(t)->coach.mistake_time;
+    trainee_say(t, "turns lost");
+    return trainee_wait(t, WAITS);
+}
+
 /* The mouse goes on to the left, from the first mark to the second. */
 static bool wind(trainee *t, int limb)
 {
@@ -89,7 +98,9 @@ static bool wind(trainee *t, int limb)
     for (int i = 0; i < 40 && good && is_goal(t, VBSS_SESSION_GOAL_WIND); i++) {
         const vbss_session_coaching *c = &trainee_see(t)->coach;
         double left = fmin(fmax(c->arc_angle * c->arc_radius, 10e-3), STRIDE);
-        good = trainee_move(t, limb, v3(-left, 0.0, 0.0));
+        good = c->mistake == VBSS_SESSION_MISTAKE_TURNS_LOST && c->mistake_time > t->warned
+                   ? heed_lost_turns(t)
+                   : trainee_move(t, limb, v3(-left, 0.0, 0.0));
         trainee_say(t, "wound");
     }
     return good && trainee_aid(t, VBSS_SESSION_AID_WIND);

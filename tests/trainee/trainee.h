@@ -31,6 +31,7 @@ typedef struct trainee {
     double home;     /* m: x of the slit before it was pulled at */
     vec slit;        /* m: where it was seen last */
     vec entry;       /* m: the first mark before it was pierced */
+    double warned;   /* s: when the coach last said that turns had come off */
     bool is_wound;   /* turns are on the jaws */
     bool has_pulled; /* the present throw tight */
     bool helps;      /* a closed tool supports the wall at the first mark */
