@@ -6,10 +6,14 @@
 
 #define BESIDE \
     32e-3 /* m, of the needle from the tool that it is to be wound about: on the near side, */
-#define BELOW 12e-3      /* and lower */
-#define BEHIND 10e-3     /* behind that tool's tip */
-#define ABOVE 15e-3      /* over the tail */
-#define TOGETHER 8e-3    /* of one hand before the other follows */
+#define BELOW 12e-3   /* and lower */
+#define BEHIND 10e-3  /* behind that tool's tip */
+#define ABOVE 15e-3   /* over the tail */
+#define TOGETHER 8e-3 /* of one hand before the other follows */
+#define RISING 0.4    /* of the needle over the jaws, of its distance from them, at least */
+#define NEAREST 15e-3
+#define SPARE 3e-3       /* of the limb on that path */
+#define MISSED 25e-3     /* of the jaws from a tail that they have closed beside, at most */
 #define STRIDE 60e-3     /* of the mouse when it winds */
 #define WAITS 130        /* frames, when turns have come off */
 #define DRAWN 3e-3       /* of the tail at a time */
@@ -45,15 +49,26 @@ static double side_of(int side)
     return side == LEFT ? -1.0 : 1.0;
 }
 
-/* Both hands by the same displacement, in turns. */
-static bool go_together(trainee *t, int first, vec by)
+/* The jaws with the turns go, and after each part the needle, so that the limb stays as long from slit to jaws to needle: a slack turn
+ * falls off. */
+static bool go_together(trainee *t, int loop, vec by)
 {
-    int parts = (int)ceil(v_length(by) / TOGETHER);
+    const int limb = 1 - loop, parts = (int)ceil(v_length(by) / TOGETHER);
+    vec jaws = trainee_see(t)->tip[loop], arm = v_sub(trainee_see(t)->swage, jaws);
+    const double whole = v_distance(jaws, t->slit) + v_length(arm) - SPARE;
+    arm.z = fmax(arm.z, RISING * v_length(arm)); /* not into the drain */
+    arm = v_unit(arm);
     for (int i = 0; i < parts; i++) {
-        vec part = v_scale(1.0 / parts, by);
-        if (!trainee_move(t, first, part) || !trainee_move(t, 1 - first, part)) {
+        if (!trainee_move(t, loop, v_scale(1.0 / parts, by))) {
             return false;
         }
+        jaws = trainee_see(t)->tip[loop];
+        double far = fmax(whole - v_distance(jaws, t->slit), NEAREST);
+        vec to = v_sub(v_along(jaws, far, arm), trainee_see(t)->swage);
+        if (!trainee_move(t, limb, to)) {
+            return false;
+        }
+        trainee_say(t, "together");
     }
     return true;
 }
@@ -121,7 +136,8 @@ static bool go_over_tail(trainee *t, int loop)
     vec down = toward_tail(t, loop);
     vec above = v_along(point_of(t), -ABOVE, down);
     vec by = v_sub(above, trainee_see(t)->tip[loop]);
-    return (t->is_wound ? go_together(t, loop, by) : trainee_go(t, loop, above, 3e-3)) &&
+    bool goes_together = t->is_wound && v_length(by) > MISSED;
+    return (goes_together ? go_together(t, loop, by) : trainee_go(t, loop, above, 3e-3)) &&
            trainee_turn(t, loop, down) && trainee_jaws(t, loop, false) &&
            trainee_roll_across(t, loop, v_load(trainee_see(t)->coach.direction));
 }
