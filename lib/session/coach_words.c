@@ -44,7 +44,8 @@ static const char *const goals[VBSS_SESSION_GOAL_CUT + 1][WORDS_HANDS] = {
     [VBSS_SESSION_GOAL_TAKE_TAIL] =
         EITHER("Take the tail close to its end from above with the ",
                " tool, its jaws down and inward, and keep the thread snug: slack turns fall off."),
-    [VBSS_SESSION_GOAL_RELEASE_TAIL] = EITHER("Open the ", " tool and let go of the tail."),
+    [VBSS_SESSION_GOAL_RELEASE_TAIL] =
+        EITHER("Give both ends a little slack, then open the ", " tool and let go of the tail."),
     [VBSS_SESSION_GOAL_DRAW_TAIL] = EITHER(
         "Draw the tail through the turns with the ",
         " tool, over the slit to its own side, where its jaws point back, and give way with the "
