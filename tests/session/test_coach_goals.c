@@ -179,6 +179,9 @@ static void throw_goals_follow_the_thread(void **state)
     run(&r);
     assert_int_equal(r.s->seated_count, 0);
     rig_expect_goal(&r, VBSS_SESSION_GOAL_DRAW_TAIL, VBSS_METRICS_TOOL_RIGHT);
+    rig_wind(&r, RIG_RIGHT, -0.6, 1); /* a last turn hangs on the jaws */
+    run(&r);
+    rig_expect_goal(&r, VBSS_SESSION_GOAL_DRAW_TAIL, VBSS_METRICS_TOOL_RIGHT);
     rig_wind(&r, RIG_RIGHT, 0.0, 0);
     run(&r);
     rig_expect_goal(&r, VBSS_SESSION_GOAL_SEAT, VBSS_METRICS_TOOL_RIGHT);

@@ -151,7 +151,8 @@ static bool go_along_jaws(trainee *t, int loop, double beyond, double near)
 static bool take_tail(trainee *t, int loop)
 {
     for (int i = 0; i < 5 && is_goal(t, VBSS_SESSION_GOAL_TAKE_TAIL); i++) {
-        bool good = go_over_tail(t, loop) && go_along_jaws(t, loop, -6e-3, 1e-3) &&
+        /* A further try stays near the tail: the limb is snug, and would be pulled. */
+        bool good = (i > 0 || go_over_tail(t, loop)) && go_along_jaws(t, loop, -6e-3, 1e-3) &&
                     go_along_jaws(t, loop, 2e-3, 0.6e-3) && trainee_jaws(t, loop, true);
         trainee_say(t, "closed on the tail");
         if (!good || trainee_see(t)->holds[loop] || !is_goal(t, VBSS_SESSION_GOAL_TAKE_TAIL)) {
@@ -276,7 +277,8 @@ static bool seat(trainee *t, int loop, double home)
     return true;
 }
 
-/* A throw that is just seated springs open again when it is let go: it is pulled a little more, then both hands give way. */
+/* A throw that is just seated springs open again when it is let go: it is pulled a little more, then both hands give way. If it has
+ * sprung open even so, it is held. */
 bool lesson_release_tail(trainee *t, int loop)
 {
     for (int i = 0; i < 4 && fmin(trainee_see(t)->tension[0], trainee_see(t)->tension[1]) < 2.0;
@@ -285,7 +287,8 @@ bool lesson_release_tail(trainee *t, int loop)
             return false;
         }
     }
-    return slacken(t, loop) && lesson_leave(t, loop);
+    bool good = slacken(t, loop);
+    return is_goal(t, VBSS_SESSION_GOAL_RELEASE_TAIL) ? good && lesson_leave(t, loop) : good;
 }
 
 bool lesson_throw_part(trainee *t)
