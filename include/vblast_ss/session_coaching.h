@@ -54,11 +54,11 @@ enum {
     /** The hand draws the thread through. POINT: the second hole; DIRECTION: to pull; `length` of tail
      * beyond `tail_high`. */
     VBSS_SESSION_GOAL_DRAW_THREAD = 9,
-    /** The tail is too short: the hand draws it back. POINT: the first hole; DIRECTION: to pull;
-     * `length` that is missing. */
+    /** The tail is too short: the hand draws it back. POINT: on the tail, beside the first hole;
+     * DIRECTION: to pull; `length` that is missing; `distance` of the tool's tip from the point. */
     VBSS_SESSION_GOAL_LENGTHEN_TAIL = 10,
     /** The hand winds the needle's limb round the other tool for throw `number` (0, 1, 2). POINT: where
-     * the other tool's tip shall be; DIRECTION: in which its jaws shall point; ARC: about its jaws,
+     * the other tool's tip shall be, over the drain at rest; DIRECTION: in which its jaws shall point; ARC: about its jaws,
      * `arc_angle` with the turns that are missing; `turns` that are missing; `distance` of the other
      * tool's tip from the point, which need not become zero. */
     VBSS_SESSION_GOAL_WIND = 11,

@@ -26,8 +26,7 @@ static vec3 thread_end(const session_object *s, uint32_t hand)
     return pose_apply_inverse(tool_of(s, hand).pose, end);
 }
 
-/* Length of the thread from the needle to the tissue or the knot; negative: it is in no stitch. */
-static double limb_length(const session_object *s, const session_observation *observed)
+double vbss_session_limb_length(const session_object *s, const session_observation *observed)
 {
     const session_hole_observation *hole =
         vbss_session_find_hole(observed, s->holes[SESSION_EXIT].id);
@@ -40,7 +39,7 @@ static double limb_length(const session_object *s, const session_observation *ob
 double vbss_session_wind_radius(const session_object *s, const session_observation *observed,
                                 uint32_t loop, vec3 centre, double radius, bool winds)
 {
-    double length = limb_length(s, observed);
+    double length = vbss_session_limb_length(s, observed);
     if (length < 0.0) {
         return vbss_min(vbss_max(radius, SESSION_WIND_RADIUS), SESSION_WIND_MAX_RADIUS);
     }
@@ -59,10 +58,19 @@ static double approach(double from, double to, double step)
     return from < to ? vbss_min(from + step, to) : vbss_max(from - step, to);
 }
 
+static bool has_just_lost_turns(const session_object *s)
+{
+    return (s->coach.open & 1ull << VBSS_SESSION_MISTAKE_TURNS_LOST) != 0 &&
+           s->time - s->coach.begun[VBSS_SESSION_MISTAKE_TURNS_LOST] < SESSION_WIND_PAUSE;
+}
+
 /* A hand off the circle comes to it while it moves. */
 void vbss_session_wind(session_object *s, session_aided_hand *hand, uint32_t number, double length)
 {
     uint32_t loop = 1 - number;
+    if (length > 0.0 && has_just_lost_turns(s)) {
+        return;
+    }
     const scene_grasper_info tool = tool_of(s, loop);
     vec3 back = vec3_neg(quat_rotate(tool.pose.orientation, tool.forward));
     vec3 centre = vec3_add_scaled(tool.pose.position, SESSION_WIND_BEHIND, back);

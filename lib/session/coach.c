@@ -30,8 +30,9 @@ static void store_turns(session_object *s, bool grasps, double turns)
 {
     session_coach *c = &s->coach;
     bool is_tied = s->throw_count > s->seated_count || s->throw_count > c->throw_count;
+    bool lengthens = vbss_session_current_goal(s).goal == VBSS_SESSION_GOAL_LENGTHEN_TAIL;
     if (grasps || is_tied) {
-        c->grasped_turns = is_tied ? SESSION_NOT_JUDGED : turns;
+        c->grasped_turns = is_tied || lengthens ? SESSION_NOT_JUDGED : turns;
     }
     bool restarts = grasps || s->throw_count != c->throw_count || turns < SESSION_WOUND_TURNS;
     bool keeps = (c->observed & 1ull << VBSS_SESSION_MISTAKE_TURNS_LOST) != 0 && !grasps;

@@ -62,6 +62,15 @@ static scene_drain_info read_drain(const session_object *s)
     return vbss_scene_inspect_drain(vbss_scene_inspect_body(s->scene, s->config.drain).drain);
 }
 
+/* `outward`: from the centre to the slit. */
+static void set_directions(task_frame *f, vec3 outward)
+{
+    f->up = vec3_unit_or(outward, vec3_make(0.0, 0.0, 1.0));
+    vec3 across = vec3_sub(f->marks[1], f->marks[0]);
+    f->across = vec3_unit_or(vec3_add_scaled(across, -vec3_dot(across, f->up), f->up),
+                             vec3_any_normal(f->up));
+}
+
 static task_frame read_frame(const session_object *s, const session_observation *observed)
 {
     const scene_drain_info drain = read_drain(s);
@@ -70,10 +79,26 @@ static task_frame read_frame(const session_object *s, const session_observation 
     for (int k = 0; k < 2; k++) {
         f.marks[k] = drain.positions[drain.marks[k]];
     }
-    f.up = vec3_unit_or(vec3_neg(observed->into_tissue), vec3_make(0.0, 0.0, 1.0));
-    vec3 across = vec3_sub(f.marks[1], f.marks[0]);
-    f.across =
-        vec3_unit_or(vec3_add_scaled(across, -vec3_dot(across, f.up), f.up), vec3_any_normal(f.up));
+    set_directions(&f, vec3_neg(observed->into_tissue));
+    return f;
+}
+
+static vec3 position_at_rest(const scene_drain_info *drain, uint32_t node)
+{
+    return vec3_add(drain->centre, quat_rotate(drain->orientation, drain->rest_positions[node]));
+}
+
+/* Of the drain that nothing drags along. */
+static task_frame read_frame_at_rest(const session_object *s)
+{
+    const scene_drain_info drain = read_drain(s);
+    task_frame f = {.slit = vec3_lerp(position_at_rest(&drain, drain.slit_middle[0]),
+                                      position_at_rest(&drain, drain.slit_middle[1]), 0.5),
+                    .centre = drain.centre};
+    for (int k = 0; k < 2; k++) {
+        f.marks[k] = position_at_rest(&drain, drain.marks[k]);
+    }
+    set_directions(&f, vec3_sub(f.slit, f.centre));
     return f;
 }
 
@@ -102,13 +127,6 @@ uint32_t vbss_session_mark_of(const session_object *s, uint32_t hand, uint32_t s
     uint32_t entry =
         s->holes[SESSION_ENTRY].id != 0 ? s->holes[SESSION_ENTRY].mark : (uint32_t)(hand == 1);
     return side == SESSION_ENTRY ? entry : 1 - entry;
-}
-
-static vec3 hole_position(const session_object *s, const session_observation *observed,
-                          uint32_t side, vec3 fallback)
-{
-    const session_hole_observation *hole = vbss_session_find_hole(observed, s->holes[side].id);
-    return hole != NULL ? hole->position : fallback;
 }
 
 /* ---- tools and thread */
@@ -268,22 +286,49 @@ static void describe_turning(const session_object *s, const session_observation 
 }
 
 static void describe_drawing(const session_object *s, const session_observation *observed,
-                             uint32_t side, vbss_session_coaching *c)
+                             vbss_session_coaching *c)
 {
     const task_frame f = read_frame(s, observed);
-    double beyond = side == SESSION_EXIT ? s->tail_length - s->config.tail_high
-                                         : s->config.tail_low - s->tail_length;
-    set_point(c, hole_position(s, observed, side, f.slit));
+    const session_hole_observation *out =
+        vbss_session_find_hole(observed, s->holes[SESSION_EXIT].id);
+    set_point(c, out != NULL ? out->position : f.slit);
     set_direction(c, f.up);
-    c->length = vbss_max(beyond, 0.0);
+    c->length = vbss_max(s->tail_length - s->config.tail_high, 0.0);
+}
+
+/* The tail is taken beside its hole, and drawn out along itself. */
+static void describe_lengthening(const session_object *s, const session_observation *observed,
+                                 uint32_t hand, vbss_session_coaching *c)
+{
+    const double end = observed->thread_length;
+    const thread_point p =
+        point_on_thread(s, observed, vbss_min(end - s->tail_length + SESSION_TAIL_ROOT, end));
+    set_point(c, p.position);
+    set_direction(c, p.direction);
+    c->distance = distance_from_jaws(s, observed, hand, p.position);
+    c->length = vbss_max(s->config.tail_low - s->tail_length, 0.0);
 }
 
 /* ---- goals of the throws */
 
+/* Of the tip of the tool that is wound about. What is left of the limb to wind limits the height, and from a low place the path to the
+ * tail is short. */
+static vec3 winding_place(const session_object *s, const session_observation *observed,
+                          const task_frame *rest, vec3 inward)
+{
+    static const double beyond[] = {SESSION_WIND_BEYOND, SESSION_WIND_BEYOND_SECOND,
+                                    SESSION_WIND_BEYOND_THIRD};
+    const double room = vbss_session_limb_length(s, observed) - SESSION_WIND_ROOM;
+    const double height = vbss_min(vbss_max(room, SESSION_WIND_LOW), SESSION_WIND_HIGH);
+    const uint32_t number = vbss_session_next_throw(s);
+    return vec3_add_scaled(vec3_add_scaled(rest->slit, beyond[number < 2 ? number : 2], inward),
+                           height, rest->up);
+}
+
 static void describe_winding(const session_object *s, const session_observation *observed,
                              session_goal goal, vbss_session_coaching *c)
 {
-    const task_frame f = read_frame(s, observed);
+    const task_frame f = read_frame_at_rest(s);
     uint32_t loop = 1 - goal.tool;
     double sign = vbss_session_wanted_sign(s);
     vec3 tip = observed->tools[loop].tip, back = vec3_neg(jaw_direction(s, loop));
@@ -297,8 +342,7 @@ static void describe_winding(const session_object *s, const session_observation 
     c->number = vbss_session_next_throw(s);
     double wanted = vbss_session_wanted_wraps(s) + SESSION_TURNS_BEYOND;
     c->turns = vbss_max(wanted - sign * s->coach.turns[loop], 0.0);
-    set_point(c, vec3_add_scaled(vec3_add_scaled(f.slit, SESSION_WIND_BEYOND, inward),
-                                 SESSION_WIND_ABOVE, f.up));
+    set_point(c, winding_place(s, observed, &f, inward));
     set_direction(c, inward);
     set_arc(c, centre, vec3_scale(back, sign), start, radius, VBSS_TWO_PI * c->turns);
     c->distance = vec3_distance(tip, vec3_load(c->point));
@@ -389,10 +433,10 @@ void vbss_session_describe_goal(const session_object *s, const session_observati
         describe_turning(s, observed, goal, coaching);
         break;
     case VBSS_SESSION_GOAL_DRAW_THREAD:
-        describe_drawing(s, observed, SESSION_EXIT, coaching);
+        describe_drawing(s, observed, coaching);
         break;
     case VBSS_SESSION_GOAL_LENGTHEN_TAIL:
-        describe_drawing(s, observed, SESSION_ENTRY, coaching);
+        describe_lengthening(s, observed, goal.tool, coaching);
         break;
     case VBSS_SESSION_GOAL_WIND:
         describe_winding(s, observed, goal, coaching);

@@ -116,7 +116,9 @@ static session_goal find_goal_of_winding(const session_object *s, uint32_t limb,
     bool was_wound =
         is_current(s, VBSS_SESSION_GOAL_TAKE_TAIL) || is_current(s, VBSS_SESSION_GOAL_DRAW_TAIL);
     double turns = vbss_session_wanted_sign(s) * s->coach.turns[loop];
-    double wanted = vbss_session_wanted_wraps(s) + (was_wound ? 0.0 : SESSION_TURNS_BEYOND);
+    /* Jaws that turn to the tail see fewer turns for a moment. */
+    double beyond = was_wound ? SESSION_TURNS_BEYOND - SESSION_LOST_TURNS : SESSION_TURNS_BEYOND;
+    double wanted = vbss_session_wanted_wraps(s) + beyond;
     bool ties_nothing = (s->coach.open & 1ull << VBSS_SESSION_MISTAKE_TOWARD_HANDLE) != 0;
     return turns > wanted && !ties_nothing ? make_goal(VBSS_SESSION_GOAL_TAKE_TAIL, loop)
                                            : make_goal(VBSS_SESSION_GOAL_WIND, limb);
@@ -137,7 +139,9 @@ static session_goal find_goal_of_throw(const session_object *s, const session_ob
         return goal;
     }
     /* A slit that opens meanwhile is closed by the next throw, once this is through. */
-    bool draws = observed->tools[loop].has_tail && fabs(s->coach.turns[loop]) > SESSION_WOUND_TURNS;
+    double wound =
+        is_current(s, VBSS_SESSION_GOAL_DRAW_TAIL) ? SESSION_THROUGH_TURNS : SESSION_WOUND_TURNS;
+    bool draws = observed->tools[loop].has_tail && fabs(s->coach.turns[loop]) > wound;
     if (s->throw_count > s->seated_count && !draws) {
         return holds_thread ? make_goal(VBSS_SESSION_GOAL_SEAT, loop)
                             : make_goal(VBSS_SESSION_GOAL_TAKE_TAIL, loop);
@@ -147,9 +151,10 @@ static session_goal find_goal_of_throw(const session_object *s, const session_ob
     }
     bool is_wrong = (s->coach.open & (1ull << VBSS_SESSION_MISTAKE_TOO_FEW_TURNS |
                                       1ull << VBSS_SESSION_MISTAKE_BIGHT)) != 0;
-    /* The throw before was pulled once more, without turns of the next one. */
+    /* The throw before was pulled once more, or the tail was made longer, without turns of the next one. */
     bool is_done =
-        (is_current(s, VBSS_SESSION_GOAL_SEAT) || is_current(s, VBSS_SESSION_GOAL_RELEASE_TAIL)) &&
+        (is_current(s, VBSS_SESSION_GOAL_SEAT) || is_current(s, VBSS_SESSION_GOAL_RELEASE_TAIL) ||
+         is_current(s, VBSS_SESSION_GOAL_LENGTHEN_TAIL)) &&
         !draws;
     return is_done || is_wrong || !observed->tools[loop].has_tail
                ? make_goal(VBSS_SESSION_GOAL_RELEASE_TAIL, loop)

@@ -25,7 +25,8 @@ static const char *const goals[VBSS_SESSION_GOAL_CUT + 1][WORDS_HANDS] = {
         EITHER("With the ", " tool, bring the needle's tip to the mark and point it straight at "
                             "the wall."),
     [VBSS_SESSION_GOAL_PIERCE] =
-        EITHER("With the ", " tool, push the tip straight through the wall at the mark."),
+        BOTH("With the ", " tool, push the tip straight through the wall at the mark, while the ",
+             " tool, closed, supports the wall from inside, beside the mark."),
     [VBSS_SESSION_GOAL_DRIVE] =
         EITHER("Turn the ", " wrist so that the needle follows its own curve to the other mark."),
     [VBSS_SESSION_GOAL_EXPOSE_TIP] =
@@ -42,8 +43,9 @@ static const char *const goals[VBSS_SESSION_GOAL_CUT + 1][WORDS_HANDS] = {
         "The tail is too short: draw some thread back at the first hole with the ", " tool."),
     [VBSS_SESSION_GOAL_TAKE_TAIL] =
         EITHER("Take the tail close to its end from above with the ",
-               " tool, its jaws down and inward, and keep the turns on them."),
-    [VBSS_SESSION_GOAL_RELEASE_TAIL] = EITHER("Open the ", " tool and let go of the tail."),
+               " tool, its jaws down and inward, and keep the thread snug: slack turns fall off."),
+    [VBSS_SESSION_GOAL_RELEASE_TAIL] =
+        EITHER("Give both ends a little slack, then open the ", " tool and let go of the tail."),
     [VBSS_SESSION_GOAL_DRAW_TAIL] = EITHER(
         "Draw the tail through the turns with the ",
         " tool, over the slit to its own side, where its jaws point back, and give way with the "

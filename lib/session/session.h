@@ -341,6 +341,8 @@ void vbss_session_assist(session_object *s, uint32_t hand, double h, session_inp
 
 /* ---- assist_wind.c */
 
+/* Length of the thread from the needle to the tissue or the knot, m; negative: it is in no stitch. */
+double vbss_session_limb_length(const session_object *s, const session_observation *observed);
 /* Radius of the circle on which the thread is nearly taut, m; without a stitch, `radius`; within the limits of WIND. A hand that
  * winds on from one turn keeps to `radius` at most. */
 double vbss_session_wind_radius(const session_object *s, const session_observation *observed,

@@ -58,10 +58,19 @@
 /* Distance from the tail's end at which it is taken.
  * Unit: m. Origin: chosen, of the scripted surgeon. Test: none known. */
 #define SESSION_TAIL_HOLD VBSS_TUNE(SESSION_TAIL_HOLD, 3.5e-3)
-/* Where the tip of the tool is while thread is wound about it: beyond the slit, and above it; where the
+/* Distance from the hole at which a tail that is too short is taken.
+ * Unit: m. Origin: chosen: jaws clear of the wall. Test: session.coach_goals. */
+#define SESSION_TAIL_ROOT VBSS_TUNE(SESSION_TAIL_ROOT, 4e-3)
+/* Where the tip of the tool is while thread is wound about it: beyond the slit in the first, second and third throw, and where the
  * turns lie behind its tip. Unit: m. Origin: chosen, of the scripted surgeon. Test: none known. */
 #define SESSION_WIND_BEYOND VBSS_TUNE(SESSION_WIND_BEYOND, 14e-3)
-#define SESSION_WIND_ABOVE VBSS_TUNE(SESSION_WIND_ABOVE, 70e-3)
+#define SESSION_WIND_BEYOND_SECOND VBSS_TUNE(SESSION_WIND_BEYOND_SECOND, 18e-3)
+#define SESSION_WIND_BEYOND_THIRD VBSS_TUNE(SESSION_WIND_BEYOND_THIRD, 26e-3)
+/* Its height above the slit: this part of the limb is left to go round it, within limits.
+ * Unit: m. Origin: chosen, of the scripted surgeon. Test: session.coach_goals. */
+#define SESSION_WIND_ROOM VBSS_TUNE(SESSION_WIND_ROOM, 45e-3)
+#define SESSION_WIND_LOW VBSS_TUNE(SESSION_WIND_LOW, 30e-3)
+#define SESSION_WIND_HIGH VBSS_TUNE(SESSION_WIND_HIGH, 70e-3)
 #define SESSION_WIND_BEHIND VBSS_TUNE(SESSION_WIND_BEHIND, 10e-3)
 /* Radius of the circle to wind, at least and at most: clear of the jaws, and on a thread's free length.
  * Unit: m. Origin: fitted, in the feasibility study of scripted throws. Test: none known. */
@@ -70,6 +79,9 @@
 /* Radius of the circle that WIND keeps over the one at which the thread is taut, so that a drain that moves does not draw it.
  * Unit: 1, relative to the free length of the thread. Origin: chosen, of the scripted surgeon. Test: session.assistance. */
 #define SESSION_WIND_SNUG VBSS_TUNE(SESSION_WIND_SNUG, 0.92)
+/* Time for which WIND stops when turns have come off: a hand that winds on draws the thread out.
+ * Unit: s. Origin: chosen: longer than a movement and the reaction to the coach. Test: session.assistance. */
+#define SESSION_WIND_PAUSE VBSS_TUNE(SESSION_WIND_PAUSE, 2.0)
 /* Radius of a turn on the jaws: neck and thread.
  * Unit: m. Origin: derived: default of neck_radius and half a thread of 0.2 mm. Test: none known. */
 #define SESSION_WIND_NECK VBSS_TUNE(SESSION_WIND_NECK, 1.3e-3)
@@ -79,6 +91,9 @@
 /* Turns from which the thread is wound about a tool; those of the detector's wrap_turns.
  * Unit: turns. Origin: chosen. Test: session.coach_mistakes. */
 #define SESSION_WOUND_TURNS VBSS_TUNE(SESSION_WOUND_TURNS, 0.75)
+/* Turns below which a tail that is drawn has come through.
+ * Unit: turns. Origin: chosen: a last turn on the jaws is seen as 0.7 to 0.9. Test: session.coach_goals. */
+#define SESSION_THROUGH_TURNS VBSS_TUNE(SESSION_THROUGH_TURNS, 0.3)
 /* Turns that must come off before they count as lost.
  * Unit: turns. Origin: chosen: above the swing of a hand. Test: session.coach_mistakes. */
 #define SESSION_LOST_TURNS VBSS_TUNE(SESSION_LOST_TURNS, 0.6)

@@ -194,6 +194,29 @@ static void winding_keeps_its_radius(void **state)
     rig_end(&p.r);
 }
 
+static void winding_stops_when_turns_come_off(void **state)
+{
+    (void)state;
+    static hand_path p;
+    vec3 centre, axis;
+    begin_winding(&p, &centre, &axis, 20e-3);
+    session_coach *c = &p.r.s->coach;
+    const vec3 first = target_of(&p).position;
+    c->open |= 1ull << VBSS_SESSION_MISTAKE_TURNS_LOST;
+    c->begun[VBSS_SESSION_MISTAKE_TURNS_LOST] = p.r.s->time;
+    for (int i = 0; i < 20; i++) {
+        shift(&p, STRIDE, 0.0, 0.0);
+    }
+    expect_near(0.0, vec3_distance(first, target_of(&p).position), SLACK);
+    shift(&p, -STRIDE, 0.0, 0.0); /* back it goes */
+    const vec3 back = target_of(&p).position;
+    expect_near(STRIDE, vec3_distance(first, back), 1e-6);
+    c->begun[VBSS_SESSION_MISTAKE_TURNS_LOST] = p.r.s->time - 2.1;
+    shift(&p, STRIDE, 0.0, 0.0);
+    expect_near(0.0, vec3_distance(first, target_of(&p).position), 1e-6);
+    rig_end(&p.r);
+}
+
 static void winding_comes_to_its_limits(void **state)
 {
     (void)state;
@@ -501,6 +524,7 @@ int test_assistance(void)
         cmocka_unit_test(needle_turns_about_its_own_centre),
         cmocka_unit_test(arc_needs_a_needle),
         cmocka_unit_test(winding_keeps_its_radius),
+        cmocka_unit_test(winding_stops_when_turns_come_off),
         cmocka_unit_test(winding_comes_to_its_limits),
         cmocka_unit_test(winding_keeps_the_thread_nearly_taut),
         cmocka_unit_test(roll_snaps_to_steps),

@@ -7,6 +7,8 @@
 
 #define LENGTH 0.15
 
+enum { MAX_NODES = 4096 }; /* of the drain */
+
 /* Until facts and goals have dwelt. */
 static void run(rig *r)
 {
@@ -66,7 +68,15 @@ static void stitch_goals_follow_the_needle(void **state)
     run(&r);
     rig_expect_goal(&r, VBSS_SESSION_GOAL_LENGTHEN_TAIL, VBSS_METRICS_TOOL_LEFT);
     expect_near(5e-3, rig_coaching(&r).length, 1e-12);
+    const vec3 root = vbss_session_thread_position(r.s, &r.observation, LENGTH - 0.01 + 4e-3);
+    expect_near(0.0, vec3_distance(root, vec3_load(rig_coaching(&r).point)), 1e-9);
+    rig_hold_thread(&r, RIG_LEFT, 6e-3);
+    run(&r);
     rig_thread_through(&r, RIG_ENTRY, LENGTH - 0.017);
+    rig_run(&r, 1.0);
+    rig_expect_goal(&r, VBSS_SESSION_GOAL_RELEASE_TAIL, VBSS_METRICS_TOOL_LEFT);
+    assert_int_equal(rig_coaching(&r).mistake, VBSS_SESSION_MISTAKE_NONE); /* no turns are needed */
+    rig_let_go(&r, RIG_LEFT);
     run(&r);
     rig_expect_goal(&r, VBSS_SESSION_GOAL_WIND, VBSS_METRICS_TOOL_RIGHT);
     rig_take(&r, RIG_LEFT); /* and if it is passed once more */
@@ -123,6 +133,14 @@ static void throw_goals_follow_the_thread(void **state)
     rig_wind(&r, RIG_LEFT, 2.1, 1); /* less than it had to be, but enough */
     run(&r);
     rig_expect_goal(&r, VBSS_SESSION_GOAL_TAKE_TAIL, VBSS_METRICS_TOOL_LEFT);
+    rig_wind(&r, RIG_LEFT, 1.7, 1); /* jaws that turn to the tail see fewer */
+    run(&r);
+    rig_expect_goal(&r, VBSS_SESSION_GOAL_TAKE_TAIL, VBSS_METRICS_TOOL_LEFT);
+    rig_wind(&r, RIG_LEFT, 1.6, 1); /* these have come off */
+    run(&r);
+    rig_expect_goal(&r, VBSS_SESSION_GOAL_WIND, VBSS_METRICS_TOOL_RIGHT);
+    rig_wind(&r, RIG_LEFT, 2.3, 1);
+    run(&r);
     rig_hold_thread(&r, RIG_LEFT, 4e-3);
     run(&r);
     rig_expect_goal(&r, VBSS_SESSION_GOAL_DRAW_TAIL, VBSS_METRICS_TOOL_LEFT);
@@ -161,6 +179,9 @@ static void throw_goals_follow_the_thread(void **state)
     run(&r);
     assert_int_equal(r.s->seated_count, 0);
     rig_expect_goal(&r, VBSS_SESSION_GOAL_DRAW_TAIL, VBSS_METRICS_TOOL_RIGHT);
+    rig_wind(&r, RIG_RIGHT, -0.6, 1); /* a last turn hangs on the jaws */
+    run(&r);
+    rig_expect_goal(&r, VBSS_SESSION_GOAL_DRAW_TAIL, VBSS_METRICS_TOOL_RIGHT);
     rig_wind(&r, RIG_RIGHT, 0.0, 0);
     run(&r);
     rig_expect_goal(&r, VBSS_SESSION_GOAL_SEAT, VBSS_METRICS_TOOL_RIGHT);
@@ -186,6 +207,60 @@ static void later_throw_is_wound_for_a_square(void **state)
     run(&r);
     rig_expect_goal(&r, VBSS_SESSION_GOAL_WIND, VBSS_METRICS_TOOL_LEFT);
     assert_non_null(strstr(rig_coaching(&r).sentence, "underneath, away"));
+    rig_end(&r);
+}
+
+/* With that much of the limb. */
+static vec3 place_to_wind(const rig *r, double limb)
+{
+    session_observation seen;
+    vbss_session_coaching c;
+    memset(&c, 0, sizeof c);
+    vbss_session_observe(r->s, &seen);
+    seen.hole_count = 1;
+    seen.holes[0] = (session_hole_observation){
+        .id = r->s->holes[SESSION_EXIT].id, .thread = seen.thread, .arc = limb};
+    vbss_session_describe_goal(r->s, &seen, vbss_session_current_goal(r->s), &c);
+    return vec3_load(c.point);
+}
+
+/* Its upper half, 5 mm aside and along. */
+static void lean_drain(const rig *r, vec3 up)
+{
+    static double moved[3 * MAX_NODES];
+    vbss_drain *drain = vbss_scene_inspect_body(r->s->scene, r->s->config.drain).drain;
+    const scene_drain_info d = vbss_scene_inspect_drain(drain);
+    assert_true(d.node_count <= MAX_NODES);
+    for (uint32_t i = 0; i < d.node_count; i++) {
+        vec3 x = d.positions[i];
+        if (vec3_dot(vec3_sub(x, d.centre), up) > 0.0) {
+            x = vec3_add(x, vec3_make(3e-3, 0.0, 4e-3));
+        }
+        vec3_store(&moved[3 * i], x);
+    }
+    expect_ok(vbss_drain_set_state(drain, moved, NULL, d.node_count));
+}
+
+/* The less of the limb is left, the lower; a drain that the limb drags along does not take the place with it. */
+static void place_to_wind_follows_the_limb(void **state)
+{
+    (void)state;
+    rig r;
+    rig_begin_coached(&r);
+    rig_to_tail(&r);
+    run(&r);
+    rig_expect_goal(&r, VBSS_SESSION_GOAL_WIND, VBSS_METRICS_TOOL_RIGHT);
+    const vec3 low = place_to_wind(&r, 60e-3), middle = place_to_wind(&r, 100e-3),
+               high = place_to_wind(&r, 140e-3);
+    session_observation seen;
+    vbss_session_observe(r.s, &seen);
+    const vec3 up = vec3_unit_or(vec3_neg(seen.into_tissue), vec3_zero());
+    expect_near(0.0, vec3_distance(vec3_sub(middle, low), vec3_scale(up, 25e-3)), 1e-6);
+    expect_near(0.0, vec3_distance(vec3_sub(high, middle), vec3_scale(up, 15e-3)), 1e-6);
+    lean_drain(&r, up);
+    vbss_session_observe(r.s, &seen);
+    assert_true(vec3_dot(vec3_unit_or(seen.into_tissue, up), up) > -0.99);
+    expect_near(0.0, vec3_distance(middle, place_to_wind(&r, 100e-3)), 1e-12);
     rig_end(&r);
 }
 
@@ -285,6 +360,7 @@ int test_coach_goals(void)
         cmocka_unit_test(stitch_goals_follow_the_needle),
         cmocka_unit_test(throw_goals_follow_the_thread),
         cmocka_unit_test(later_throw_is_wound_for_a_square),
+        cmocka_unit_test(place_to_wind_follows_the_limb),
         cmocka_unit_test(cut_goals_follow_the_tails),
         cmocka_unit_test(each_goal_is_one_event),
         cmocka_unit_test(distances_are_those_of_the_geometry),

@@ -279,3 +279,31 @@ bool lesson_draw_thread(trainee *t, int side)
     trainee_say(t, "drawn");
     return good;
 }
+
+/* The jaws come to the tail from above, beside its hole, open across it. */
+static bool take_root(trainee *t, int side)
+{
+    vec d = v_unit(v3(side == LEFT ? 0.5 : -0.5, 0.1, -0.85)), at = point_of(t);
+    return trainee_jaws(t, side, false) &&
+           trainee_go(t, side, v_along(at, -2.0 * BEFORE, d), 3e-3) && trainee_turn(t, side, d) &&
+           trainee_roll_across(t, side, v_load(trainee_see(t)->coach.direction)) &&
+           trainee_go(t, side, v_along(point_of(t), -6e-3, d), 1e-3) &&
+           trainee_go(t, side, v_along(point_of(t), 2e-3, d), 0.6e-3) &&
+           trainee_jaws(t, side, true);
+}
+
+/* The needle's hand gives way first: a taut thread draws the stitch together. */
+bool lesson_lengthen_tail(trainee *t, int side)
+{
+    vec slack = v_unit(v_sub(point_of(t), trainee_see(t)->tip[1 - side]));
+    bool good = trainee_move(t, 1 - side, v_scale(BEFORE, slack));
+    for (int i = 0; i < 5 && good && !trainee_see(t)->holds[side]; i++) {
+        good = take_root(t, side);
+        trainee_say(t, "closed on the tail");
+    }
+    for (int i = 0; i < 10 && good && is_goal(t, VBSS_SESSION_GOAL_LENGTHEN_TAIL); i++) {
+        good = trainee_move(t, side, v_scale(STUCK, v_load(trainee_see(t)->coach.direction)));
+        trainee_say(t, "drawn back");
+    }
+    return good;
+}

@@ -6,12 +6,21 @@
 
 #define BESIDE \
     32e-3 /* m, of the needle from the tool that it is to be wound about: on the near side, */
-#define BELOW 12e-3      /* and lower */
-#define BEHIND 10e-3     /* behind that tool's tip */
-#define ABOVE 15e-3      /* over the tail */
-#define TOGETHER 8e-3    /* of one hand before the other follows */
+#define BELOW 12e-3   /* and lower */
+#define BEHIND 10e-3  /* behind that tool's tip */
+#define ABOVE 15e-3   /* over the tail */
+#define TOGETHER 8e-3 /* of one hand before the other follows */
+#define RISING 0.4    /* of the needle over the jaws, of its distance from them, at least */
+#define NEAREST 15e-3
+#define SPARE 3e-3       /* of the limb on that path */
+#define MISSED 25e-3     /* of the jaws from a tail that they have closed beside, at most */
 #define STRIDE 60e-3     /* of the mouse when it winds */
+#define WAITS 130        /* frames, when turns have come off */
 #define DRAWN 3e-3       /* of the tail at a time */
+#define SHORTER 1e-3     /* of its jaws to the slit, in each movement, */
+#define SHORT 0.75       /* down to this share: a tail that is taut drags the drain along */
+#define TAKEN_UP 6e-3    /* of the limb at a time */
+#define LIGHT 0.1        /* N, of the limb then */
 #define TAUT 1.5e-3      /* of the limb at a time while both ends are taut, */
 #define SLACK 6e-3       /* and while one is slack: it misses */
 #define SLACKER 0.88     /* more of the force */
@@ -40,15 +49,26 @@ static double side_of(int side)
     return side == LEFT ? -1.0 : 1.0;
 }
 
-/* Both hands by the same displacement, in turns. */
-static bool go_together(trainee *t, int first, vec by)
+/* The jaws with the turns go, and after each part the needle, so that the limb stays as long from slit to jaws to needle: a slack turn
+ * falls off. */
+static bool go_together(trainee *t, int loop, vec by)
 {
-    int parts = (int)ceil(v_length(by) / TOGETHER);
+    const int limb = 1 - loop, parts = (int)ceil(v_length(by) / TOGETHER);
+    vec jaws = trainee_see(t)->tip[loop], arm = v_sub(trainee_see(t)->swage, jaws);
+    const double whole = v_distance(jaws, t->slit) + v_length(arm) - SPARE;
+    arm.z = fmax(arm.z, RISING * v_length(arm)); /* not into the drain */
+    arm = v_unit(arm);
     for (int i = 0; i < parts; i++) {
-        vec part = v_scale(1.0 / parts, by);
-        if (!trainee_move(t, first, part) || !trainee_move(t, 1 - first, part)) {
+        if (!trainee_move(t, loop, v_scale(1.0 / parts, by))) {
             return false;
         }
+        jaws = trainee_see(t)->tip[loop];
+        double far = fmax(whole - v_distance(jaws, t->slit), NEAREST);
+        vec to = v_sub(v_along(jaws, far, arm), trainee_see(t)->swage);
+        if (!trainee_move(t, limb, to)) {
+            return false;
+        }
+        trainee_say(t, "together");
     }
     return true;
 }
@@ -76,14 +96,26 @@ static bool take_places(trainee *t, int limb)
     return good;
 }
 
+/* The aid stops; the thread comes to rest meanwhile. */
+static bool heed_lost_turns(trainee *t)
+{
+    t->warned = trainee_see(t)->coach.mistake_time;
+    trainee_say(t, "turns lost");
+    return trainee_wait(t, WAITS);
+}
+
 /* The mouse goes on to the left, from the first mark to the second. */
 static bool wind(trainee *t, int limb)
 {
     bool good = trainee_aid(t, VBSS_SESSION_AID_WIND);
+    t->is_wound = true;
+    t->has_pulled = false;
     for (int i = 0; i < 40 && good && is_goal(t, VBSS_SESSION_GOAL_WIND); i++) {
         const vbss_session_coaching *c = &trainee_see(t)->coach;
         double left = fmin(fmax(c->arc_angle * c->arc_radius, 10e-3), STRIDE);
-        good = trainee_move(t, limb, v3(-left, 0.0, 0.0));
+        good = c->mistake == VBSS_SESSION_MISTAKE_TURNS_LOST && c->mistake_time > t->warned
+                   ? heed_lost_turns(t)
+                   : trainee_move(t, limb, v3(-left, 0.0, 0.0));
         trainee_say(t, "wound");
     }
     return good && trainee_aid(t, VBSS_SESSION_AID_WIND);
@@ -103,23 +135,27 @@ static bool go_over_tail(trainee *t, int loop)
 {
     vec down = toward_tail(t, loop);
     vec above = v_along(point_of(t), -ABOVE, down);
-    return go_together(t, loop, v_sub(above, trainee_see(t)->tip[loop])) &&
+    vec by = v_sub(above, trainee_see(t)->tip[loop]);
+    bool goes_together = t->is_wound && v_length(by) > MISSED;
+    return (goes_together ? go_together(t, loop, by) : trainee_go(t, loop, above, 3e-3)) &&
            trainee_turn(t, loop, down) && trainee_jaws(t, loop, false) &&
            trainee_roll_across(t, loop, v_load(trainee_see(t)->coach.direction));
 }
 
 static bool go_along_jaws(trainee *t, int loop, double beyond, double near)
 {
-    return trainee_go(t, loop, v_along(point_of(t), beyond, trainee_see(t)->jaws[loop]), near);
+    return !is_goal(t, VBSS_SESSION_GOAL_TAKE_TAIL) ||
+           trainee_go(t, loop, v_along(point_of(t), beyond, trainee_see(t)->jaws[loop]), near);
 }
 
 static bool take_tail(trainee *t, int loop)
 {
     for (int i = 0; i < 5 && is_goal(t, VBSS_SESSION_GOAL_TAKE_TAIL); i++) {
-        bool good = go_over_tail(t, loop) && go_along_jaws(t, loop, -6e-3, 1e-3) &&
+        /* A further try stays near the tail: the limb is snug, and would be pulled. */
+        bool good = (i > 0 || go_over_tail(t, loop)) && go_along_jaws(t, loop, -6e-3, 1e-3) &&
                     go_along_jaws(t, loop, 2e-3, 0.6e-3) && trainee_jaws(t, loop, true);
         trainee_say(t, "closed on the tail");
-        if (!good || trainee_see(t)->holds[loop]) {
+        if (!good || trainee_see(t)->holds[loop] || !is_goal(t, VBSS_SESSION_GOAL_TAKE_TAIL)) {
             return good;
         }
         if (!trainee_jaws(t, loop, false)) {
@@ -129,25 +165,45 @@ static bool take_tail(trainee *t, int loop)
     return true;
 }
 
+/* The limb's hand goes outward, until it feels the thread: that draws the last turn off the jaws. */
+static bool take_up(trainee *t, int loop, vec slit)
+{
+    vec out = v_add(slit, v3(-side_of(loop) * FAR, 0.0, 0.0));
+    bool good = trainee_move(t, 1 - loop,
+                             v_scale(TAKEN_UP, v_unit(v_sub(out, trainee_see(t)->tip[1 - loop]))));
+    trainee_say(t, "taken up");
+    return good;
+}
+
 /* The limb is slack over the slit, and the tail goes over it to its own side; past
  * the slit the jaws point inward. */
 static bool draw_tail(trainee *t, int loop)
 {
     double side = side_of(loop);
     bool turned = false;
-    vec slit = point_of(t), over = v_add(slit, v3(-15e-3 * side, 10e-3, 30e-3));
-    if (!trainee_go(t, 1 - loop, over, 5e-3)) {
+    vec slit = point_of(t), over = v_add(slit, v3(-28e-3 * side, 15e-3, 30e-3));
+    vec beside = trainee_see(t)->tip[1 - loop];
+    beside.z = fmax(beside.z, over.z); /* the needle comes over the drain, not through it */
+    if (!trainee_go(t, 1 - loop, beside, 5e-3) || !trainee_go(t, 1 - loop, over, 5e-3)) {
         return false;
     }
     vec arm = v_sub(trainee_see(t)->tip[loop], slit);
     double radius = sqrt(arm.x * arm.x + arm.z * arm.z), angle = atan2(arm.z, side * arm.x);
     angle += angle < -0.5 * HALF_TURN ? 2.0 * HALF_TURN : 0.0;
-    for (int i = 0; i < 40 && is_goal(t, VBSS_SESSION_GOAL_DRAW_TAIL); i++) {
+    double full = radius;
+    t->has_pulled = false;
+    for (int i = 0; i < 60 && is_goal(t, VBSS_SESSION_GOAL_DRAW_TAIL); i++) {
         if (!turned && angle < 0.5 * HALF_TURN) {
             turned =
                 trainee_turn(t, loop, v3(-side, 0.0, 0.0)); /* or the last turn hangs on them */
         }
-        radius += angle > 0.0 ? 0.0 : DRAWN;
+        if (angle <= 0.0 && trainee_see(t)->tension[1] < LIGHT && i % 2 == 0) {
+            if (!take_up(t, loop, slit)) {
+                return false;
+            }
+            continue;
+        }
+        radius = angle > 0.0 ? fmax(radius - SHORTER, SHORT * full) : radius + DRAWN;
         angle -= angle > 0.0 ? DRAWN / radius : 0.0;
         vec to = v_add(slit, v3(side * radius * cos(angle), 0.0, radius * sin(angle)));
         if (!trainee_move(t, loop, v_sub(to, trainee_see(t)->tip[loop]))) {
@@ -200,6 +256,8 @@ static bool slacken(trainee *t, int loop)
 
 static bool seat(trainee *t, int loop, double home)
 {
+    t->has_pulled = true;
+    t->is_wound = false;
     for (int i = 0; i < 60 && is_goal(t, VBSS_SESSION_GOAL_SEAT); i++) {
         const vbss_session_coaching c = trainee_see(t)->coach;
         vec slit = v_load(c.point);
@@ -219,7 +277,8 @@ static bool seat(trainee *t, int loop, double home)
     return true;
 }
 
-/* A throw that is just seated springs open again when it is let go: it is pulled a little more, then both hands give way. */
+/* A throw that is just seated springs open again when it is let go: it is pulled a little more, then both hands give way. If it has
+ * sprung open even so, it is held. */
 bool lesson_release_tail(trainee *t, int loop)
 {
     for (int i = 0; i < 4 && fmin(trainee_see(t)->tension[0], trainee_see(t)->tension[1]) < 2.0;
@@ -228,7 +287,8 @@ bool lesson_release_tail(trainee *t, int loop)
             return false;
         }
     }
-    return slacken(t, loop) && lesson_leave(t, loop);
+    bool good = slacken(t, loop);
+    return is_goal(t, VBSS_SESSION_GOAL_RELEASE_TAIL) ? good && lesson_leave(t, loop) : good;
 }
 
 bool lesson_throw_part(trainee *t)

@@ -27,11 +27,14 @@ typedef struct trainee {
     uint64_t random, shades; /* of movements and places; of colours */
     sight past[TRAINEE_DELAY + 1];
     uint64_t frames;
-    double noise; /* share of the length of a movement; 0.05 is usual */
-    double home;  /* m: x of the slit before it was pulled at */
-    vec slit;     /* m: where it was seen last */
-    vec entry;    /* m: the first mark before it was pierced */
-    bool helps;   /* a closed tool supports the wall at the first mark */
+    double noise;    /* share of the length of a movement; 0.05 is usual */
+    double home;     /* m: x of the slit before it was pulled at */
+    vec slit;        /* m: where it was seen last */
+    vec entry;       /* m: the first mark before it was pierced */
+    double warned;   /* s: when the coach last said that turns had come off */
+    bool is_wound;   /* turns are on the jaws */
+    bool has_pulled; /* the present throw tight */
+    bool helps;      /* a closed tool supports the wall at the first mark */
     bool verbose;
     uint64_t printed;      /* events */
     int until;             /* the phase of the session at which the whole task ends */
@@ -97,6 +100,7 @@ bool lesson_turn_on(trainee *t, int side);
 bool lesson_draw_needle(trainee *t, int side);
 bool lesson_lift(trainee *t, int side);
 bool lesson_draw_thread(trainee *t, int side);
+bool lesson_lengthen_tail(trainee *t, int side);
 
 /* ---- whole_task.c, states.c */
 

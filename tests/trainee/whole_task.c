@@ -54,9 +54,11 @@ static bool follow(trainee *t, int side)
     case VBSS_SESSION_GOAL_RELEASE_NEEDLE:
         return lesson_leave(t, side) && lesson_park(t, side);
     case VBSS_SESSION_GOAL_RELEASE_TAIL:
-        return t->slit.z != 0.0 ? lesson_release_tail(t, side) : lesson_leave(t, side);
+        return t->has_pulled ? lesson_release_tail(t, side) : lesson_leave(t, side);
     case VBSS_SESSION_GOAL_DRAW_THREAD:
         return lesson_draw_thread(t, side);
+    case VBSS_SESSION_GOAL_LENGTHEN_TAIL:
+        return lesson_lengthen_tail(t, side);
     case VBSS_SESSION_GOAL_TAKE_SHEARS:
     case VBSS_SESSION_GOAL_CUT:
         lesson_cut(t);

@@ -165,6 +165,7 @@ typedef struct scene_drain_info {
     bool is_surface;          /* the walls have no thickness; a gap is measured between edges */
     double radius, thickness; /* of the tube's middle surface; of its wall; m */
     vec3 centre;              /* of the tube, m */
+    quat orientation;         /* of the drain's frame, body to world */
     uint32_t node_count, triangle_count, edge_count;
     uint32_t anchor_count, torn_anchor_count;
     double anchor_load; /* the largest in the last step, relative to the strength of its anchor */

@@ -41,6 +41,7 @@ scene_drain_info vbss_scene_inspect_drain(const vbss_drain *drain)
                               .radius = d->config.radius,
                               .thickness = d->config.thickness,
                               .centre = d->frame.position,
+                              .orientation = d->frame.orientation,
                               .node_count = m->node_count,
                               .triangle_count = m->triangle_count,
                               .edge_count = m->edge_count,

@@ -60,8 +60,9 @@ namespace VblastSs
         /// <summary>Largest gap along the slit at the outcome, m. Throws: at most 1 mm.</summary>
         Gap = 10,
         /// <summary>
-        /// Largest tension of the thread during the exercise, N. Throws: at most 6.1 N, the
-        /// published maximum while experts tie on a drain.
+        /// Largest tension of the thread during the exercise that lasts for the session's `dwell`
+        /// of simulated time, N: the largest of the minima of successive intervals of that length.
+        /// Throws: at most 6.1 N, the published maximum while experts tie on a drain.
         /// </summary>
         Tension = 11,
         /// <summary>Remaining length of the short tail, m. CUT: 2 to 8 mm; courses ask for 3 to 5 mm.</summary>

@@ -45,13 +45,13 @@ class SessionGoal(IntEnum):
     """The hand draws the thread through. POINT: the second hole; DIRECTION: to pull; `length` of
     tail beyond `tail_high`."""
     LENGTHEN_TAIL = 10
-    """The tail is too short: the hand draws it back. POINT: the first hole; DIRECTION: to pull;
-    `length` that is missing."""
+    """The tail is too short: the hand draws it back. POINT: on the tail, beside the first hole;
+    DIRECTION: to pull; `length` that is missing; `distance` of the tool's tip from the point."""
     WIND = 11
     """The hand winds the needle's limb round the other tool for throw `number` (0, 1, 2). POINT:
-    where the other tool's tip shall be; DIRECTION: in which its jaws shall point; ARC: about
-    its jaws, `arc_angle` with the turns that are missing; `turns` that are missing; `distance`
-    of the other tool's tip from the point, which need not become zero."""
+    where the other tool's tip shall be, over the drain at rest; DIRECTION: in which its jaws
+    shall point; ARC: about its jaws, `arc_angle` with the turns that are missing; `turns` that
+    are missing; `distance` of the other tool's tip from the point, which need not become zero."""
     TAKE_TAIL = 12
     """The hand, with the turns on its jaws, takes the tail near its end. POINT: on the tail;
     DIRECTION: along the tail, from its end. `distance` of the tool's tip from the point."""

@@ -44,8 +44,9 @@ pub const VBSS_SESSION_MEASURE_WRAPS: vbss_session_measure_kind = 8;
 pub const VBSS_SESSION_MEASURE_SQUARE: vbss_session_measure_kind = 9;
 /// Largest gap along the slit at the outcome, m. Throws: at most 1 mm.
 pub const VBSS_SESSION_MEASURE_GAP: vbss_session_measure_kind = 10;
-/// Largest tension of the thread during the exercise, N. Throws: at most 6.1 N, the published maximum
-/// while experts tie on a drain.
+/// Largest tension of the thread during the exercise that lasts for the session's `dwell` of simulated
+/// time, N: the largest of the minima of successive intervals of that length. Throws: at most 6.1 N,
+/// the published maximum while experts tie on a drain.
 pub const VBSS_SESSION_MEASURE_TENSION: vbss_session_measure_kind = 11;
 /// Remaining length of the short tail, m. CUT: 2 to 8 mm; courses ask for 3 to 5 mm.
 pub const VBSS_SESSION_MEASURE_SHORT_TAIL: vbss_session_measure_kind = 12;
