@@ -14,6 +14,7 @@
 #define NEAREST 15e-3
 #define SWEPT 12e-3      /* of the tail from where it was seen, */
 #define OVER 20e-3       /* then the jaws go as high */
+#define GIVEN 15e-3      /* before the last part of it */
 #define SPARE 3e-3       /* of the limb on that path */
 #define MISSED 25e-3     /* of the jaws from a tail that they have closed beside, at most */
 #define STRIDE 60e-3     /* of the mouse when it winds */
@@ -132,6 +133,13 @@ static vec toward_tail(const trainee *t, int loop)
     return v_unit(v_add(v_scale(0.6, out), v3(0.0, 0.0, -0.8)));
 }
 
+/* The needle comes nearer, so that the jaws can go on to the tail alone: the limb would be pulled, and the slit opens. */
+static bool bring_needle(trainee *t, int loop)
+{
+    vec to = v_sub(trainee_see(t)->tip[loop], trainee_see(t)->swage);
+    return trainee_move(t, 1 - loop, v_scale(GIVEN, v_unit(to)));
+}
+
 /* The limb sweeps a tail along; jaws go after it over the drain, not through it. */
 static bool go_after_tail(trainee *t, int loop, vec down)
 {
@@ -154,7 +162,8 @@ static bool go_over_tail(trainee *t, int loop)
     bool good = goes_together ? go_together(t, loop, by) && go_after_tail(t, loop, down)
                               : trainee_go(t, loop, above, 3e-3);
     return good && trainee_turn(t, loop, toward_tail(t, loop)) && trainee_jaws(t, loop, false) &&
-           trainee_roll_across(t, loop, v_load(trainee_see(t)->coach.direction));
+           trainee_roll_across(t, loop, v_load(trainee_see(t)->coach.direction)) &&
+           (!goes_together || bring_needle(t, loop));
 }
 
 static bool go_along_jaws(trainee *t, int loop, double beyond, double near)
