@@ -12,9 +12,6 @@
 #define TOGETHER 8e-3 /* of one hand before the other follows */
 #define RISING 0.4    /* of the needle over the jaws, of its distance from them, at least */
 #define NEAREST 15e-3
-#define SWEPT 12e-3      /* of the tail from where it was seen, */
-#define OVER 20e-3       /* then the jaws go as high */
-#define GIVEN 15e-3      /* before the last part of it */
 #define SPARE 3e-3       /* of the limb on that path */
 #define MISSED 25e-3     /* of the jaws from a tail that they have closed beside, at most */
 #define STRIDE 60e-3     /* of the mouse when it winds */
@@ -133,25 +130,6 @@ static vec toward_tail(const trainee *t, int loop)
     return v_unit(v_add(v_scale(0.6, out), v3(0.0, 0.0, -0.8)));
 }
 
-/* The needle comes nearer, so that the jaws can go on to the tail alone: the limb would be pulled, and the slit opens. */
-static bool bring_needle(trainee *t, int loop)
-{
-    vec to = v_sub(trainee_see(t)->tip[loop], trainee_see(t)->swage);
-    return trainee_move(t, 1 - loop, v_scale(GIVEN, v_unit(to)));
-}
-
-/* The limb sweeps a tail along; jaws go after it over the drain, not through it. */
-static bool go_after_tail(trainee *t, int loop, vec down)
-{
-    vec by = v_sub(v_along(point_of(t), -ABOVE, down), trainee_see(t)->tip[loop]);
-    if (v_length(by) < SWEPT || !is_goal(t, VBSS_SESSION_GOAL_TAKE_TAIL)) {
-        return true;
-    }
-    vec up = v3(0.0, 0.0, fmax(OVER - trainee_see(t)->tip[loop].z, 0.0));
-    trainee_say(t, "after the tail");
-    return go_together(t, loop, up) && go_together(t, loop, v3(by.x, by.y, 0.0));
-}
-
 /* The needle goes along, so that the turns stay. */
 static bool go_over_tail(trainee *t, int loop)
 {
@@ -159,11 +137,9 @@ static bool go_over_tail(trainee *t, int loop)
     vec above = v_along(point_of(t), -ABOVE, down);
     vec by = v_sub(above, trainee_see(t)->tip[loop]);
     bool goes_together = t->is_wound && v_length(by) > MISSED;
-    bool good = goes_together ? go_together(t, loop, by) && go_after_tail(t, loop, down)
-                              : trainee_go(t, loop, above, 3e-3);
-    return good && trainee_turn(t, loop, toward_tail(t, loop)) && trainee_jaws(t, loop, false) &&
-           trainee_roll_across(t, loop, v_load(trainee_see(t)->coach.direction)) &&
-           (!goes_together || bring_needle(t, loop));
+    return (goes_together ? go_together(t, loop, by) : trainee_go(t, loop, above, 3e-3)) &&
+           trainee_turn(t, loop, down) && trainee_jaws(t, loop, false) &&
+           trainee_roll_across(t, loop, v_load(trainee_see(t)->coach.direction));
 }
 
 static bool go_along_jaws(trainee *t, int loop, double beyond, double near)
