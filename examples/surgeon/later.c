@@ -17,7 +17,6 @@
 #define LOW 0.015         /* m below the drain's top, to where both pull: the floor is not far */
 #define FAR 0.05          /* m farther out than C may be already */
 #define ASKEW (-PI / 4.0) /* so that the ends do not go straight back over what is tied */
-#define RAISED (PI * 110.0 / 180.0) /* to where W draws a tail that stays raised */
 #define PULL 1.0 /* N, of both hands in the end: with 2 flat throws turn into half hitches */
 #define PULL_KEPT 1.5
 #define CATCHES 3
@@ -54,7 +53,6 @@ void surgeon_plan_later(const surgeon *s, double limb, throw_plan *plan)
     plan->again = !kept;
     plan->raised = !kept && !third;
     plan->down = true;
-    plan->round = plan->raised ? RAISED : plan->round;
     plan->askew = kept ? ASKEW : 0.0;
     plan->off_floor = OFF_FLOOR;
     plan->reach = SLACK_TAIL;

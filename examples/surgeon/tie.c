@@ -90,7 +90,7 @@ static void sway(surgeon *s, double dt)
     hand *h = s->see.w;
     bool steep = s->tie.state == THROW_TAIL || s->tie.state == THROW_CLOSE;
     bool back = s->tie.plan.back && s->tie.state >= THROW_LOWER;
-    vec down = s->stage == SURGEON_TIE ? STEEP : OVER_TAIL;
+    vec down = s->stage == SURGEON_TIE || s->tie.plan.wrong ? STEEP : OVER_TAIL;
     vec lag = v_sub(seen(h, back ? NEAR_SIDE : steep ? down : LEVEL), h->trocar);
     hand_through(h, v_add(h->trocar, v_limit(lag, SWAY * h->nature.speed * dt)));
 }

@@ -158,7 +158,7 @@ vbss_result throw_draw(throw_run *t, double dt)
 {
     senses *s = t->see;
     bool formed = false;
-    const double round = t->plan.round;
+    const double round = t->plan.raised ? RAISED : DRAWN_ROUND;
     double length = 0.97 * senses_length(s, s->w->node, t->tail_root);
     double speed = t->angle * 180.0 / PI < 50.0 ? 0.03 : 0.02;
     if (s->tension_w < t->plan.drawn + 0.05) {

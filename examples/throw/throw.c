@@ -26,7 +26,6 @@ void throw_plan_usual(throw_plan *p, int wraps)
         .clearance = 0.003,
         .drawn = 0.15,
         .reach = REACH,
-        .round = PI * 160.0 / 180.0,
         .min_height = -1.0,
         .pull = 2.0,
         .retries = 2,

@@ -74,10 +74,9 @@ typedef struct throw_plan {
     double drawn; /* N, of W meanwhile: what is tied already stays quiet */
     double reach; /* share of the tail that W goes to while turns are on its jaws: it hangs slack */
     double min_height; /* m above the drain's top, of W meanwhile */
-    double round; /* rad about the tail's root, from the right over the top, to where W draws it */
-    double tilt;  /* rad, of W's way meanwhile, from upright to the near side */
-    double low;   /* m, below the drain's top, to where both pull then */
-    double far;   /* m, farther outward than usual */
+    double tilt;       /* rad, of W's way meanwhile, from upright to the near side */
+    double low;        /* m, below the drain's top, to where both pull then */
+    double far;        /* m, farther outward than usual */
     double
         askew; /* rad about the upright, that both hands are off the stitch's line while it is closed */
     double pull; /* N, in the end */
