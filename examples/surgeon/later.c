@@ -12,7 +12,10 @@
 #define WINDING 0.03 /* N, that C gives way to */
 #define ALIKE \
     0.05 /* N, of both hands while the tail is drawn: else what is tied goes to one side */
-#define SLACK_TAIL 0.9 /* share of the tail that W goes to then, until the turns are off its jaws */
+/* Share of the tail that W goes to then, until the turns are off its jaws. A taut tail rolls open what is tied; too slack it is folded at the
+ * knot, which does the same. The third one's tail is shorter. */
+#define SLACK_TAIL 0.75
+#define SLACK_THIRD 0.9
 #define MIN_HEIGHT 5e-3   /* m above the drain's top, of W then */
 #define LOW 0.015         /* m below the drain's top, to where both pull: the floor is not far */
 #define FAR 0.05          /* m farther out than C may be already */
@@ -55,7 +58,7 @@ void surgeon_plan_later(const surgeon *s, double limb, throw_plan *plan)
     plan->down = true;
     plan->askew = kept ? ASKEW : 0.0;
     plan->off_floor = OFF_FLOOR;
-    plan->reach = SLACK_TAIL;
+    plan->reach = third ? SLACK_THIRD : SLACK_TAIL;
     plan->min_height = MIN_HEIGHT;
     plan->pull = kept ? PULL_KEPT : PULL;
 }
