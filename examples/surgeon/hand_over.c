@@ -8,6 +8,12 @@
 #define RIGHT_HOLD 0.18
 #define UP \
     0.62 /* share of the free limb, by which the swage is held up from the knot: that it comes off those jaws */
+#define STRAIGHT 0.93 /* share of the tail, that W is from where it comes out as it lets it go */
+#define STRAIGHTENING 0.02 /* m/s */
+#define AHEAD 0.5e-3       /* m, of where W is told to go: farther it would not stop in time */
+#define NEARLY 1e-3        /* m */
+#define TAUT 0.04          /* N: a bent tail draws by half of it */
+#define A_SECOND 1.0       /* s */
 #define UPWARD v3(0.6, -0.35, 1.0)  /* on the bearer's side, where the limb is all the time */
 #define LIFTING 0.06                /* m/s */
 #define AWAY v3(0.06, -0.06, 0.05)  /* of who lets go, from the needle's side */
@@ -16,8 +22,8 @@
 
 const char *hand_over_name(hand_over_state state)
 {
-    static const char *const names[] = {"ease",      "release", "offer", "ask",   "accept",
-                                        "take over", "give",    "given", "failed"};
+    static const char *const names[] = {"ease",   "straighten", "release", "offer", "ask",
+                                        "accept", "take over",  "give",    "given", "failed"};
     return names[state];
 }
 
@@ -41,8 +47,24 @@ static void enter(hand_over *o, hand_over_state state)
 static void ease(hand_over *o, double dt)
 {
     if (ease_step(&o->easing, o->see, dt)) {
-        o->from = o->see->tool_w.tip;
-        o->from_handle = o->see->tool_w.handle;
+        enter(o, HAND_OVER_STRAIGHTEN);
+    }
+}
+
+/* A tail that is let go bent whips out, and opens what is tied. */
+static void straighten(hand_over *o)
+{
+    senses *s = o->see;
+    const hand_pose *w = &s->tool_w;
+    vec root = s->x[s->tail_root], jaws = v_along(w->tip, GRASP_BEHIND, w->handle);
+    double length = STRAIGHT * senses_length(s, s->w->node, s->tail_root);
+    double missing = length - v_distance(jaws, root);
+    vec out = v_unit(v_sub(jaws, root));
+    bool done = missing < NEARLY || s->draws_w > TAUT || o->since > A_SECOND;
+    hand_go(s->w, v_along(w->tip, done ? 0.0 : AHEAD, out), STRAIGHTENING);
+    if (done) {
+        o->from = w->tip;
+        o->from_handle = w->handle;
         enter(o, HAND_OVER_RELEASE);
     }
 }
@@ -139,6 +161,9 @@ vbss_result hand_over_step(hand_over *o, double dt)
     switch (o->state) {
     case HAND_OVER_EASE:
         ease(o, dt);
+        break;
+    case HAND_OVER_STRAIGHTEN:
+        straighten(o);
         break;
     case HAND_OVER_RELEASE:
         release(o);

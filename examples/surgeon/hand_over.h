@@ -7,11 +7,12 @@
 #include "throw/ease.h"
 
 typedef enum hand_over_state {
-    HAND_OVER_EASE,    /* nothing is taut any longer */
-    HAND_OVER_RELEASE, /* W lets the tail go and withdraws */
-    HAND_OVER_OFFER,   /* C holds the needle up */
-    HAND_OVER_ASK,     /* W comes to before it */
-    HAND_OVER_ACCEPT,  /* its jaws on either side */
+    HAND_OVER_EASE,       /* nothing is taut any longer */
+    HAND_OVER_STRAIGHTEN, /* W draws the slack out of the tail */
+    HAND_OVER_RELEASE,    /* W lets the tail go and withdraws */
+    HAND_OVER_OFFER,      /* C holds the needle up */
+    HAND_OVER_ASK,        /* W comes to before it */
+    HAND_OVER_ACCEPT,     /* its jaws on either side */
     HAND_OVER_TAKE,
     HAND_OVER_GIVE, /* C lets go and leaves */
     HAND_OVER_DONE,

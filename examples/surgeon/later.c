@@ -12,13 +12,15 @@
 #define WINDING 0.03 /* N, that C gives way to */
 #define ALIKE \
     0.05 /* N, of both hands while the tail is drawn: else what is tied goes to one side */
-#define SLACK_TAIL \
-    0.75 /* share of the tail that W goes to then, until the turns are off its jaws */
+/* Share of the tail that W goes to then, until the turns are off its jaws. A taut tail rolls open what is tied; too slack it is folded at the
+ * knot, which does the same. The third one's tail is shorter. */
+#define SLACK_TAIL 0.75
+#define SLACK_THIRD 0.9
 #define MIN_HEIGHT 5e-3   /* m above the drain's top, of W then */
 #define LOW 0.015         /* m below the drain's top, to where both pull: the floor is not far */
 #define FAR 0.05          /* m farther out than C may be already */
 #define ASKEW (-PI / 4.0) /* so that the ends do not go straight back over what is tied */
-#define PULL 2.0          /* N, of both hands in the end, at most */
+#define PULL 1.0 /* N, of both hands in the end: with 2 flat throws turn into half hitches */
 #define PULL_KEPT 1.5
 #define CATCHES 3
 #define RETRIES 2           /* wound anew: that pulls at what is tied, but else it is left */
@@ -46,17 +48,17 @@ void surgeon_plan_later(const surgeon *s, double limb, throw_plan *plan)
     plan->light = plan->drawn = ALIKE;
     plan->low = LOW;
     plan->far = FAR;
-    /* The second shuts the slit again when it is pulled from where the first was; the third then when it is pulled its own way,
-     * for that is the first one's, too, if it is not open (tie.c). */
+    /* The second leaves the first as it is while its tail is raised. If the slit is open all the same, before or after, it is pulled
+     * from where the first was (tie.c). The third is pulled its own way, which is the first one's, too. */
     plan->catches = CATCHES;
     plan->minds = plan->backs_off = SURGEON_MINDS;
     plan->retries = RETRIES;
     plan->again = !kept;
-    plan->back = !kept && !third;
-    plan->down = !plan->back;
+    plan->raised = !kept && !third;
+    plan->down = true;
     plan->askew = kept ? ASKEW : 0.0;
     plan->off_floor = OFF_FLOOR;
-    plan->reach = SLACK_TAIL;
+    plan->reach = third ? SLACK_THIRD : SLACK_TAIL;
     plan->min_height = MIN_HEIGHT;
     plan->pull = kept ? PULL_KEPT : PULL;
 }

@@ -14,6 +14,9 @@ void surgeon_spoil(const surgeon *s, throw_plan *plan)
 {
     const throw_mistake mistake = surgeon_mistake_in_throw(s->mistake);
     if (mistake != THROW_NO_MISTAKE && is_spoilt_stage(s)) {
+        if (s->stage != SURGEON_TIE) {
+            throw_plan_back(plan);
+        }
         throw_plan_spoil(plan, mistake);
         plan->tail_node = mistake == THROW_BIGHT ? TAIL_MIDDLE : plan->tail_node;
         plan->waits = s->mends;

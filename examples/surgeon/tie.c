@@ -5,6 +5,8 @@
  * which lies on the drain and beyond. */
 #define LEVEL v3(-0.3, 0.03, 0.07)
 #define STEEP v3(-0.15, -0.02, 0.2)
+/* Of W when it takes the tail of a tied throw, which hangs down to the right: its jaws are across that, not along it. */
+#define OVER_TAIL v3(0.03, -0.12, 0.22)
 #define NEAR_SIDE \
     v3(-0.05, -0.2, 0.15) /* so that the shaft is not over the knot when its tip is beyond it */
 #define SWAY 0.2          /* m/s, from one to the other */
@@ -25,8 +27,8 @@
 #define SPRUNG 0.4e-3
 #define AGAIN 4
 #define SPRUNG_THIRD 0.46e-3 /* that one comes to rest no tighter for it */
-/* Wider before the third is pulled, it is pulled as the second was: the flat way it locks, and what is open stays so. */
-#define OPEN_THIRD 0.4e-3
+/* Wider before a throw is pulled, it is pulled from where the one below was: the flat way it locks, and what is open stays so. */
+#define OPEN 0.4e-3
 /* The last throw, if it was never shut under so much pull, N, or gapes that wide, m, since, is not seated, whatever it does eased. */
 #define SEATED 0.5
 #define GAPES 1e-3
@@ -88,7 +90,8 @@ static void sway(surgeon *s, double dt)
     hand *h = s->see.w;
     bool steep = s->tie.state == THROW_TAIL || s->tie.state == THROW_CLOSE;
     bool back = s->tie.plan.back && s->tie.state >= THROW_LOWER;
-    vec lag = v_sub(seen(h, back ? NEAR_SIDE : steep ? STEEP : LEVEL), h->trocar);
+    vec down = s->stage == SURGEON_TIE || s->tie.plan.wrong ? STEEP : OVER_TAIL;
+    vec lag = v_sub(seen(h, back ? NEAR_SIDE : steep ? down : LEVEL), h->trocar);
     hand_through(h, v_add(h->trocar, v_limit(lag, SWAY * h->nature.speed * dt)));
 }
 
@@ -136,13 +139,12 @@ static double since_when(bool is, double time, double dt)
     return is ? time + dt : 0.0;
 }
 
+/* As the hands begin to close the turn: what is open then stays open if they pull the flat way. */
 static void choose_direction(surgeon *s)
 {
     throw_plan *p = &s->tie.plan;
-    bool third = s->stage == SURGEON_THIRD && s->tie.state == THROW_LOWER;
-    if (third && p->again && s->gap > OPEN_THIRD) {
-        p->back = true;
-        p->down = false;
+    if (p->again && s->tie.state == THROW_LOWER && s->gap > OPEN) {
+        throw_plan_back(p);
     }
 }
 

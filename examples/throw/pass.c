@@ -4,12 +4,14 @@
 
 #define UPRIGHT (0.5 * PI)
 enum { NEXT_PLACE = 2 };   /* nodes farther from the end, at each */
+#define HANGS 0.5          /* share of what C may feel of the limb: it is taut */
 #define STUCK 1.5          /* s: drawn so long as far round as W goes, the turn hangs at its tip */
 #define HARDER (1.0 / 1.5) /* more of both forces per s then */
 #define LONG_DRAWN 6.0     /* s */
 #define LOST 0.3           /* s, that turns are off W's jaws before it has the tail */
 /* m, that the drain has gone by, with the limb about W's jaws: it would go on as far as W does. */
 #define DRAGGED 12e-3
+#define EASES 3e-3          /* m, of W as it closes */
 #define CHECK_INTERVAL 0.02 /* s, between checks whether the end has come through */
 #define SURELY 0.2 /* s, that it has, and turns are off W's jaws: they may catch at the tip again */
 
@@ -60,6 +62,9 @@ void throw_tail(throw_run *t, double dt)
     } else if (t->plan.again && v_length(senses_drain(s)) > DRAGGED) {
         throw_fail(t, "drain dragged");
     } else if (t->grip.state == CATCH_HELD) {
+        /* toward the drain: where it stops, late, it would draw the tail */
+        vec to_root = v_unit(v_sub(steer_tail_root(t), s->tool_w.tip));
+        t->carrot_w = v_along(s->tool_w.tip, EASES, to_root);
         throw_enter(t, THROW_CLOSE);
     } else if (t->grip.state == CATCH_MISSED && !is_caught_elsewhere(t)) {
         throw_fail(t, "tail not caught");
@@ -70,7 +75,7 @@ vbss_result throw_close(throw_run *t, double dt)
 {
     senses *s = t->see;
     steer_keep(t, dt);
-    hand_go(s->w, s->tool_w.tip, 0.02);
+    hand_go(s->w, t->carrot_w, 0.02);
     if (t->since < 0.15) {
         return VBSS_OK;
     }
@@ -82,7 +87,7 @@ vbss_result throw_close(throw_run *t, double dt)
         vec from = v_sub(steer_jaws_of(&s->tool_w), steer_tail_root(t));
         t->angle = t->begun = vbss_atan2(from.z, from.x);
         t->leash = v_hypotenuse(from.z, from.x);
-        t->clear = 0.0;
+        t->clear = t->far_round = 0.0;
         t->carrot_c = s->tool_c.tip;
         throw_enter(t, THROW_DRAW);
     } else if (!is_caught_elsewhere(t)) {
@@ -153,18 +158,26 @@ vbss_result throw_draw(throw_run *t, double dt)
 {
     senses *s = t->see;
     bool formed = false;
+    const double round = t->plan.raised ? RAISED : DRAWN_ROUND;
     double length = 0.97 * senses_length(s, s->w->node, t->tail_root);
     double speed = t->angle * 180.0 / PI < 50.0 ? 0.03 : 0.02;
     if (s->tension_w < t->plan.drawn + 0.05) {
-        t->angle = smaller(t->angle + speed / length * dt, DRAWN_ROUND);
+        t->angle = smaller(t->angle + speed / length * dt, round);
     }
     if (t->plan.soft && t->angle > UPRIGHT) {
         hand_turn(s->w, OUTWARD); /* lest the last turn hang on its jaws */
     }
-    t->far_round = t->plan.again && t->angle > DRAWN_ROUND - 2e-3 ? t->far_round + dt : 0.0;
-    double harder = 1.0 + HARDER * larger(t->far_round - STUCK, 0.0);
+    bool is_round = t->angle > round - 2e-3;
+    if (is_round && s->tension_c > HANGS * t->plan.light) {
+        t->far_round += dt;
+    }
+    double harder = t->plan.again ? 1.0 + HARDER * larger(t->far_round - STUCK, 0.0) : 1.0;
     throw_on_leash(t, t->plan.drawn * harder, dt);
-    throw_follow(t, s->last > 0 ? t->plan.light * harder : t->plan.light, dt);
+    if (t->plan.soft && s->last > 0 && !is_round) {
+        steer_keep(t, dt); /* taut, the limb would go with W, and open what is tied */
+    } else {
+        throw_follow(t, s->last > 0 ? t->plan.light * harder : t->plan.light, dt);
+    }
     if (t->plan.mistake >= THROW_TO_HANDLE && t->plan.mistake <= THROW_DROPPED) {
         draw_in_vain(t, dt);
         return VBSS_OK;
@@ -178,7 +191,7 @@ vbss_result throw_draw(throw_run *t, double dt)
     if (formed && t->clear > (t->plan.again ? SURELY : 0.0)) {
         t->carrot_c = s->tool_c.tip;
         throw_enter(t, THROW_LOWER);
-    } else if (t->since > (t->plan.reach < REACH ? 14.0 : 8.0)) {
+    } else if (t->since > (t->plan.reach < REACH ? 16.0 : 8.0)) {
         throw_fail(t, "not drawn through");
     }
     return VBSS_OK;

@@ -1,13 +1,15 @@
 #include "throw/states.h"
 
-#define RISE 1.0                    /* N/s, of a pull at both ends */
-#define FAR_SIDE 0.02               /* m, of C from the knot while it comes down */
-#define SLACK_TIME 5.0              /* s: turns that are still on W's jaws then are drawn off */
-#define CLOSING 0.1                 /* N, of both, while a turn closes on the tail */
-#define BESIDE (PI * 205.0 / 180.0) /* of W then */
+#define RISE 1.0                          /* N/s, of a pull at both ends */
+#define FAR_SIDE 0.02                     /* m, of C from the knot while it comes down */
+#define SLACK_TIME 3.0                    /* s: turns that hang on W's jaws so long are drawn off */
+#define CLOSING 0.1                       /* N, of both, while a turn closes on the tail */
+#define BESIDE (PI * 205.0 / 180.0)       /* of W then */
 #define BESIDE_ASKEW (PI * 190.0 / 180.0) /* the drain is in the way */
 #define ABOVE_ASKEW 0.01                  /* m, of C: the same */
-#define UNLIKE 0.15                       /* N, of one end more than of the other */
+/* From the stitch's line to where C goes then, away from a raised tail, which is on the near side. */
+#define ACROSS (PI / 4.0)
+#define UNLIKE 0.15               /* N, of one end more than of the other */
 #define ROUND 1.5                 /* rad/s, of both hands about the knot when they go back */
 #define SLACK_BACK 0.75           /* share of either end's length that they are from it then */
 #define BACK (PI * 178.0 / 180.0) /* where they go: W's shaft is not over the knot */
@@ -17,6 +19,7 @@
 /* Pulled again so often, it is left as it was pulled: squared it has sprung open as often. */
 enum { SQUARED_NO_MORE = 2 };
 #define BACK_LATEST 10.0    /* s */
+#define FULL 2.0            /* N, of both ends from there, at most */
 #define SQUARING 0.8        /* N, of both ends while the hands come from there again */
 #define SLACK_FORCE 0.03    /* N */
 #define EASING 3.0          /* s, at most */
@@ -69,7 +72,7 @@ static vec turned(vec direction, double about)
 void throw_on_leash(throw_run *t, double limit, double dt)
 {
     const senses *s = t->see;
-    bool slack = s->last > 0 && t->state == THROW_DRAW && t->since < SLACK_TIME;
+    bool slack = s->last > 0 && t->state == THROW_DRAW && t->far_round < SLACK_TIME;
     double share = slack ? t->plan.reach : REACH;
     double full = share * senses_length(s, s->w->node, t->tail_root);
     t->leash += s->tension_w > limit ? -0.03 * dt : 0.01 * dt;
@@ -84,11 +87,23 @@ void throw_on_leash(throw_run *t, double limit, double dt)
     hand_go(s->w, v_along(jaws, -GRASP_BEHIND, s->tool_w.handle), 0.08);
 }
 
-/* Low on both sides before anything is tight. */
+static void begin_seat(throw_run *t)
+{
+    t->carrot_w = t->see->tool_w.tip;
+    t->carrot_c = t->see->tool_c.tip;
+    t->clear = 0.0;
+    throw_enter(t, THROW_SEAT);
+}
+
+/* Low on both sides before anything is tight; a raised tail is not laid down. */
 void throw_lower(throw_run *t, double dt)
 {
     senses *s = t->see;
     hand_turn(s->w, OUTWARD);
+    if (t->plan.raised) {
+        begin_seat(t);
+        return;
+    }
     t->angle = smaller(t->angle + 0.04 / t->leash * dt, PI * 173.0 / 180.0);
     throw_on_leash(t, 0.05, dt);
     throw_follow(t, t->plan.light, dt);
@@ -98,10 +113,7 @@ void throw_lower(throw_run *t, double dt)
             throw_enter(t, THROW_DONE);
         }
     } else if (low) {
-        t->carrot_w = s->tool_w.tip;
-        t->carrot_c = s->tool_c.tip;
-        t->clear = 0.0;
-        throw_enter(t, THROW_SEAT);
+        begin_seat(t);
     }
 }
 
@@ -144,18 +156,21 @@ static vec outward(const throw_run *t, double x)
 
 /* Both hands low on either side and the tail straight, C draws the limb round it: the turn runs down to what is tied. Closed
  * from above, or by W, it locks where it happens to be, up to 14 mm from there. In line with the stitch the ends go straight
- * back over what is tied, which opens at 0.05 N; askew it holds. */
+ * back over what is tied, which opens at 0.05 N; askew it holds. So it does while the tail is raised on the near side: then C goes away
+ * from that, or the turn stays where W is. */
 static bool is_closed(throw_run *t, double dt)
 {
     senses *s = t->see;
     if (!t->plan.down || t->closed > 0.0) {
         return true;
     }
-    bool askew = t->plan.askew != 0.0;
-    t->angle = smaller(t->angle + 0.04 / t->leash * dt, askew ? BESIDE_ASKEW : BESIDE);
+    bool raised = t->plan.raised, askew = raised || t->plan.askew != 0.0;
+    if (!raised) {
+        t->angle = smaller(t->angle + 0.04 / t->leash * dt, askew ? BESIDE_ASKEW : BESIDE);
+    }
     throw_on_leash(t, CLOSING, dt);
     double speed = clamp(0.4 * (CLOSING - s->tension_c), -0.02, 0.02);
-    vec to = turned(outward(t, FAR_C), t->plan.askew);
+    vec to = turned(outward(t, FAR_C), raised ? ACROSS : t->plan.askew);
     to.z += askew ? ABOVE_ASKEW : 0.0;
     draw(s->c, &s->tool_c, &t->carrot_c, to, speed, dt);
     t->clear = s->tension_c > 0.5 * CLOSING ? t->clear + dt : 0.0;
@@ -284,6 +299,8 @@ static void pull_limb_alone(throw_run *t, double dt)
     hand_yield(s->w, &s->tool_w, &t->carrot_w, steer_tail_root(t), s->tension_w, dt);
 }
 
+static void begin_square(throw_run *t);
+
 void throw_seat(throw_run *t, double dt)
 {
     hand_turn(t->see->w, OUTWARD);
@@ -363,12 +380,18 @@ bool throw_is_slack(const throw_run *t)
     return t->state == THROW_PART && t->clear >= MIN_SLACK_TIME;
 }
 
+void throw_plan_back(throw_plan *p)
+{
+    p->back = true;
+    p->raised = p->down = false;
+    p->pull = FULL;
+}
+
 /* From where the throw below was pulled from: the flat way what has sprung open stays so. */
 void throw_pull_again(throw_run *t)
 {
     t->pulls++;
-    t->plan.back = true;
-    t->plan.down = false;
+    throw_plan_back(&t->plan);
     t->clear = t->asked = t->closed = t->round_w = 0.0;
     throw_enter(t, THROW_SEAT);
 }

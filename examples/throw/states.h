@@ -7,8 +7,9 @@
 /* To where the handle's end of W's jaws points when they hold the drawn tail. */
 #define OUTWARD v3(-1.0, 0.0, 0.3)
 
-/* Of W about the tail's root while it draws, rad. */
+/* Of W about the tail's root while it draws, rad; of a tail that stays raised. */
 #define DRAWN_ROUND (PI * 160.0 / 180.0)
+#define RAISED (PI * 110.0 / 180.0)
 
 void throw_enter(throw_run *t, throw_state state);
 /* Once more, from the beginning, if it is not too late. */

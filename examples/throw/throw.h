@@ -57,6 +57,8 @@ typedef struct throw_plan {
     bool alike;       /* both ends are pulled alike in the end */
     bool still; /* W waits before that, until C has taken up the slack: the tail stays short */
     bool down;  /* the turn is closed from below, on either side of the drain, before that */
+    /* The tail is raised on the near side until the turn is closed: laid over what is tied, it rolls that open. */
+    bool raised;
     /* Both hands go back to where the throw below was pulled from, pull from there, and then, with nothing slack meanwhile, the flat way. */
     bool back;
     /* Further ones of the tail, farther from its end, if it is missed or would tie something else. */
@@ -114,11 +116,13 @@ typedef struct throw_run {
     double far_w, far_c;     /* m from it, as they come round again */
     double asked;            /* N, of both ends then */
     double lost;             /* s, that W has had no turns on its jaws */
-    double far_round;        /* s, that W has drawn as far round as it goes */
-    int pulls;               /* so often it was pulled again */
+    double far_round; /* s, that W has drawn as far round as it goes and C has felt the limb */
+    int pulls;        /* so often it was pulled again */
 } throw_run;
 
 void throw_plan_usual(throw_plan *p, int wraps);
+/* Pulled from where the throw below was: that shuts what is open, and makes a half hitch of the throw below. */
+void throw_plan_back(throw_plan *p);
 /* The hands shall make that mistake in it. */
 void throw_plan_spoil(throw_plan *p, throw_mistake mistake);
 /* Mends the mistake of the plan, and continues with `plan`, which has none. (mend.c) */
