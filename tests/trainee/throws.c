@@ -12,6 +12,9 @@
 #define TOGETHER 8e-3 /* of one hand before the other follows */
 #define RISING 0.4    /* of the needle over the jaws, of its distance from them, at least */
 #define NEAREST 15e-3
+#define SWEPT 12e-3      /* of the tail from where it was seen, */
+#define OVER 20e-3       /* then the jaws go as high */
+#define GIVEN 15e-3      /* before the last part of it */
 #define SPARE 3e-3       /* of the limb on that path */
 #define MISSED 25e-3     /* of the jaws from a tail that they have closed beside, at most */
 #define STRIDE 60e-3     /* of the mouse when it winds */
@@ -130,6 +133,25 @@ static vec toward_tail(const trainee *t, int loop)
     return v_unit(v_add(v_scale(0.6, out), v3(0.0, 0.0, -0.8)));
 }
 
+/* The needle comes nearer, so that the jaws can go on to the tail alone: the limb would be pulled, and the slit opens. */
+static bool bring_needle(trainee *t, int loop)
+{
+    vec to = v_sub(trainee_see(t)->tip[loop], trainee_see(t)->swage);
+    return trainee_move(t, 1 - loop, v_scale(GIVEN, v_unit(to)));
+}
+
+/* The limb sweeps a tail along; jaws go after it over the drain, not through it. */
+static bool go_after_tail(trainee *t, int loop, vec down)
+{
+    vec by = v_sub(v_along(point_of(t), -ABOVE, down), trainee_see(t)->tip[loop]);
+    if (v_length(by) < SWEPT || !is_goal(t, VBSS_SESSION_GOAL_TAKE_TAIL)) {
+        return true;
+    }
+    vec up = v3(0.0, 0.0, fmax(OVER - trainee_see(t)->tip[loop].z, 0.0));
+    trainee_say(t, "after the tail");
+    return go_together(t, loop, up) && go_together(t, loop, v3(by.x, by.y, 0.0));
+}
+
 /* The needle goes along, so that the turns stay. */
 static bool go_over_tail(trainee *t, int loop)
 {
@@ -137,8 +159,10 @@ static bool go_over_tail(trainee *t, int loop)
     vec above = v_along(point_of(t), -ABOVE, down);
     vec by = v_sub(above, trainee_see(t)->tip[loop]);
     bool goes_together = t->is_wound && v_length(by) > MISSED;
-    return (goes_together ? go_together(t, loop, by) : trainee_go(t, loop, above, 3e-3)) &&
-           trainee_turn(t, loop, down) && trainee_jaws(t, loop, false) &&
+    bool good = goes_together ? go_together(t, loop, by) && go_after_tail(t, loop, down)
+                              : trainee_go(t, loop, above, 3e-3);
+    return good && (!goes_together || bring_needle(t, loop)) &&
+           trainee_turn(t, loop, toward_tail(t, loop)) && trainee_jaws(t, loop, false) &&
            trainee_roll_across(t, loop, v_load(trainee_see(t)->coach.direction));
 }
 
@@ -181,7 +205,10 @@ static bool draw_tail(trainee *t, int loop)
 {
     double side = side_of(loop);
     bool turned = false;
-    vec slit = point_of(t), over = v_add(slit, v3(-28e-3 * side, 15e-3, 30e-3));
+    /* A limb that is taken up, and a tail that is shortened, open what is tied already. */
+    const bool is_later = trainee_see(t)->coach.number > 0;
+    vec slit = point_of(t), over = v_add(slit, is_later ? v3(-15e-3 * side, 10e-3, 30e-3)
+                                                        : v3(-28e-3 * side, 15e-3, 30e-3));
     vec beside = trainee_see(t)->tip[1 - loop];
     beside.z = fmax(beside.z, over.z); /* the needle comes over the drain, not through it */
     if (!trainee_go(t, 1 - loop, beside, 5e-3) || !trainee_go(t, 1 - loop, over, 5e-3)) {
@@ -197,13 +224,15 @@ static bool draw_tail(trainee *t, int loop)
             turned =
                 trainee_turn(t, loop, v3(-side, 0.0, 0.0)); /* or the last turn hangs on them */
         }
-        if (angle <= 0.0 && trainee_see(t)->tension[1] < LIGHT && i % 2 == 0) {
+        if (!is_later && angle <= 0.0 && trainee_see(t)->tension[1] < LIGHT && i % 2 == 0) {
             if (!take_up(t, loop, slit)) {
                 return false;
             }
             continue;
         }
-        radius = angle > 0.0 ? fmax(radius - SHORTER, SHORT * full) : radius + DRAWN;
+        radius = angle <= 0.0 ? radius + DRAWN
+                 : is_later   ? radius
+                              : fmax(radius - SHORTER, SHORT * full);
         angle -= angle > 0.0 ? DRAWN / radius : 0.0;
         vec to = v_add(slit, v3(side * radius * cos(angle), 0.0, radius * sin(angle)));
         if (!trainee_move(t, loop, v_sub(to, trainee_see(t)->tip[loop]))) {

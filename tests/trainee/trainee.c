@@ -105,12 +105,14 @@ void trainee_say(trainee *t, const char *what)
 {
     const vbss_session_coaching *c = &trainee_see(t)->coach;
     if (t->verbose) {
+        vbss_session_status status;
+        (void)vbss_session_get_status(t->live.stage.task.session, &status, sizeof status);
         print_events(t);
-        printf("  %6.2f s %s: %s [%.1f mm, %.2f rad, %.2f turns, %.2f N, %.2f mm; pulls %.2f, %.2f "
-               "N] %s\n",
-               t->live.time, what, c->sentence, 1e3 * c->distance, c->angle, c->turns, c->force,
-               1e3 * c->length, trainee_see(t)->tension[0], trainee_see(t)->tension[1],
-               c->mistake_sentence);
+        printf("  %6.2f s, slit %.2f mm, %s: %s [%.1f mm, %.2f rad, %.2f turns, %.2f N, %.2f mm; "
+               "pulls %.2f, %.2f N] %s\n",
+               t->live.time, 1e3 * status.gap, what, c->sentence, 1e3 * c->distance, c->angle,
+               c->turns, c->force, 1e3 * c->length, trainee_see(t)->tension[0],
+               trainee_see(t)->tension[1], c->mistake_sentence);
         fflush(stdout);
     }
 }
