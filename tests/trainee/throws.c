@@ -133,6 +133,12 @@ static vec toward_tail(const trainee *t, int loop)
     return v_unit(v_add(v_scale(0.6, out), v3(0.0, 0.0, -0.8)));
 }
 
+/* Something is tied already. */
+static bool is_later(const trainee *t)
+{
+    return trainee_see(t)->coach.number > 0;
+}
+
 /* The needle comes nearer, so that the jaws can go on to the tail alone: the limb would be pulled, and the slit opens. */
 static bool bring_needle(trainee *t, int loop)
 {
@@ -161,7 +167,7 @@ static bool go_over_tail(trainee *t, int loop)
     bool goes_together = t->is_wound && v_length(by) > MISSED;
     bool good = goes_together ? go_together(t, loop, by) && go_after_tail(t, loop, down)
                               : trainee_go(t, loop, above, 3e-3);
-    return good && (!goes_together || bring_needle(t, loop)) &&
+    return good && (!goes_together || !is_later(t) || bring_needle(t, loop)) &&
            trainee_turn(t, loop, toward_tail(t, loop)) && trainee_jaws(t, loop, false) &&
            trainee_roll_across(t, loop, v_load(trainee_see(t)->coach.direction));
 }
@@ -206,9 +212,9 @@ static bool draw_tail(trainee *t, int loop)
     double side = side_of(loop);
     bool turned = false;
     /* A limb that is taken up, and a tail that is shortened, open what is tied already. */
-    const bool is_later = trainee_see(t)->coach.number > 0;
-    vec slit = point_of(t), over = v_add(slit, is_later ? v3(-15e-3 * side, 10e-3, 30e-3)
-                                                        : v3(-28e-3 * side, 15e-3, 30e-3));
+    const bool later = is_later(t);
+    vec slit = point_of(t), over = v_add(slit, later ? v3(-15e-3 * side, 10e-3, 30e-3)
+                                                     : v3(-28e-3 * side, 15e-3, 30e-3));
     vec beside = trainee_see(t)->tip[1 - loop];
     beside.z = fmax(beside.z, over.z); /* the needle comes over the drain, not through it */
     if (!trainee_go(t, 1 - loop, beside, 5e-3) || !trainee_go(t, 1 - loop, over, 5e-3)) {
@@ -224,14 +230,14 @@ static bool draw_tail(trainee *t, int loop)
             turned =
                 trainee_turn(t, loop, v3(-side, 0.0, 0.0)); /* or the last turn hangs on them */
         }
-        if (!is_later && angle <= 0.0 && trainee_see(t)->tension[1] < LIGHT && i % 2 == 0) {
+        if (!later && angle <= 0.0 && trainee_see(t)->tension[1] < LIGHT && i % 2 == 0) {
             if (!take_up(t, loop, slit)) {
                 return false;
             }
             continue;
         }
         radius = angle <= 0.0 ? radius + DRAWN
-                 : is_later   ? radius
+                 : later      ? radius
                               : fmax(radius - SHORTER, SHORT * full);
         angle -= angle > 0.0 ? DRAWN / radius : 0.0;
         vec to = v_add(slit, v3(side * radius * cos(angle), 0.0, radius * sin(angle)));
