@@ -236,7 +236,7 @@ static void lean_drain(const rig *r, vec3 up)
         if (vec3_dot(vec3_sub(x, d.centre), up) > 0.0) {
             x = vec3_add(x, vec3_make(3e-3, 0.0, 4e-3));
         }
-        vec3_store(&moved[3 * i], x);
+        vec3_store(moved + 3 * (size_t)i, x);
     }
     expect_ok(vbss_drain_set_state(drain, moved, NULL, d.node_count));
 }
