@@ -9,11 +9,11 @@
 #define UP \
     0.62 /* share of the free limb, by which the swage is held up from the knot: that it comes off those jaws */
 #define STRAIGHT 0.93 /* share of the tail, that W is from where it comes out as it lets it go */
-#define STRAIGHTENING 0.02 /* m/s */
-#define AHEAD 0.5e-3       /* m, of where W is told to go: farther it would not stop in time */
-#define NEARLY 1e-3        /* m */
-#define TAUT 0.04          /* N: a bent tail draws by half of it */
-#define A_SECOND 1.0       /* s */
+#define STRAIGHTENING 0.02          /* m/s */
+#define AHEAD 0.5e-3                /* m, of W's target before its tip: it stops so soon */
+#define NEARLY 1e-3                 /* m */
+#define TAUT 0.04                   /* N: a bent tail draws by half of it */
+#define A_SECOND 1.0                /* s */
 #define UPWARD v3(0.6, -0.35, 1.0)  /* on the bearer's side, where the limb is all the time */
 #define LIFTING 0.06                /* m/s */
 #define AWAY v3(0.06, -0.06, 0.05)  /* of who lets go, from the needle's side */
@@ -51,7 +51,7 @@ static void ease(hand_over *o, double dt)
     }
 }
 
-/* A tail that is let go bent whips out, and opens what is tied. */
+/* A bent tail springs out as it is released, and opens the throw. */
 static void straighten(hand_over *o)
 {
     senses *s = o->see;

@@ -12,8 +12,8 @@
 #define WINDING 0.03 /* N, that C gives way to */
 #define ALIKE \
     0.05 /* N, of both hands while the tail is drawn: else what is tied goes to one side */
-/* Share of the tail that W goes to then, until the turns are off its jaws. A taut tail rolls open what is tied; too slack it is folded at the
- * knot, which does the same. The third one's tail is shorter. */
+/* Distance of W from the knot while the turns are on its jaws, as a share of the tail. A taut tail opens the throw below, and so does one that
+ * is folded at the knot. The tail of the third throw is shorter. */
 #define SLACK_TAIL 0.75
 #define SLACK_THIRD 0.9
 #define MIN_HEIGHT 5e-3   /* m above the drain's top, of W then */

@@ -27,7 +27,7 @@
 #define SPRUNG 0.4e-3
 #define AGAIN 4
 #define SPRUNG_THIRD 0.46e-3 /* that one comes to rest no tighter for it */
-/* Wider before a throw is pulled, it is pulled from where the one below was: the flat way it locks, and what is open stays so. */
+/* A throw over a wider slit is pulled from behind. Pulled flat it locks, and the slit stays open. */
 #define OPEN 0.4e-3
 /* The last throw, if it was never shut under so much pull, N, or gapes that wide, m, since, is not seated, whatever it does eased. */
 #define SEATED 0.5
@@ -139,7 +139,7 @@ static double since_when(bool is, double time, double dt)
     return is ? time + dt : 0.0;
 }
 
-/* As the hands begin to close the turn: what is open then stays open if they pull the flat way. */
+/* As the hands begin to close the turn: a slit that is open then stays open if they pull flat. */
 static void choose_direction(surgeon *s)
 {
     throw_plan *p = &s->tie.plan;

@@ -174,7 +174,7 @@ vbss_result throw_draw(throw_run *t, double dt)
     double harder = t->plan.again ? 1.0 + HARDER * larger(t->far_round - STUCK, 0.0) : 1.0;
     throw_on_leash(t, t->plan.drawn * harder, dt);
     if (t->plan.soft && s->last > 0 && !is_round) {
-        steer_keep(t, dt); /* taut, the limb would go with W, and open what is tied */
+        steer_keep(t, dt); /* a taut limb would go with W, and open the throw below */
     } else {
         throw_follow(t, s->last > 0 ? t->plan.light * harder : t->plan.light, dt);
     }

@@ -154,10 +154,10 @@ static vec outward(const throw_run *t, double x)
     return v3(x + (x > 0.0 ? t->plan.far : -t->plan.far), 0.0, -t->plan.low);
 }
 
-/* Both hands low on either side and the tail straight, C draws the limb round it: the turn runs down to what is tied. Closed
- * from above, or by W, it locks where it happens to be, up to 14 mm from there. In line with the stitch the ends go straight
- * back over what is tied, which opens at 0.05 N; askew it holds. So it does while the tail is raised on the near side: then C goes away
- * from that, or the turn stays where W is. */
+/* Both hands are low on either side, the tail is straight, and C draws the limb round it: the turn runs down to the throw below.
+ * Closed from above, or by W, it locks up to 14 mm away. In line with the stitch the ends go back over the throw below, which opens
+ * at 0.05 N; at 45 degrees it holds. A tail that is raised on the near side also holds it. C goes away from such a tail, or the
+ * turn stays at W. */
 static bool is_closed(throw_run *t, double dt)
 {
     senses *s = t->see;

@@ -57,7 +57,7 @@ typedef struct throw_plan {
     bool alike;       /* both ends are pulled alike in the end */
     bool still; /* W waits before that, until C has taken up the slack: the tail stays short */
     bool down;  /* the turn is closed from below, on either side of the drain, before that */
-    /* The tail is raised on the near side until the turn is closed: laid over what is tied, it rolls that open. */
+    /* The tail is raised on the near side until the turn is closed: laid over the throw below, it opens that one. */
     bool raised;
     /* Both hands go back to where the throw below was pulled from, pull from there, and then, with nothing slack meanwhile, the flat way. */
     bool back;
