@@ -121,7 +121,7 @@ typedef struct throw_run {
 } throw_run;
 
 void throw_plan_usual(throw_plan *p, int wraps);
-/* Pulled from where the throw below was: that shuts what is open, and makes a half hitch of the throw below. */
+/* Has the throw pulled from behind, as the one below was: that shuts an open slit, and makes a half hitch of the throw below. */
 void throw_plan_back(throw_plan *p);
 /* The hands shall make that mistake in it. */
 void throw_plan_spoil(throw_plan *p, throw_mistake mistake);

@@ -4,7 +4,7 @@
 #include "live.h"
 
 #define FIELD 0.75F     /* of half of the picture's height, in which everything is */
-#define FARTHEST 0.22F  /* m: what is farther away is too small */
+#define FARTHEST 0.22F  /* m: from farther away, thread and needle are too small to see */
 #define TOOL_SHOWN 8e-3 /* m of a tool, from its tip */
 
 enum { POINTS = 5 };

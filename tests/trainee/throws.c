@@ -211,7 +211,7 @@ static bool draw_tail(trainee *t, int loop)
 {
     double side = side_of(loop);
     bool turned = false;
-    /* A limb that is taken up, and a tail that is shortened, open what is tied already. */
+    /* Taking up the limb, or shortening the tail, would open the throw below. */
     const bool later = is_later(t);
     vec slit = point_of(t), over = v_add(slit, later ? v3(-15e-3 * side, 10e-3, 30e-3)
                                                      : v3(-28e-3 * side, 15e-3, 30e-3));
