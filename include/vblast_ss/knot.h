@@ -74,7 +74,7 @@ typedef struct vbss_knot_detector_config {
     /** Signed turns about a tool from which the thread is wrapped round it, 0.1 to 2; default 0.75.
      * The wrap ends a quarter of a turn lower. */
     double wrap_turns;
-    /** Magnitude of a throw's slip measure from which it is a half hitch, 0 to 1; default 0.6. */
+    /** Magnitude of a throw's slip measure from which it is a half hitch, 0 to 1; default 0.45. */
     double slip_limit;
     /** PROJECTION: position of the plane on the tool's axis, m from the tip towards the handle, -1
      * to 1; default -0.002, ahead of the tip. */
@@ -219,9 +219,9 @@ typedef struct vbss_knot_throw {
     uint32_t reserved;         /**< Zero. */
     double tail_places[2];     /**< LOCATED: first and last place on the tail limb, ascending. */
     double long_places[2];     /**< LOCATED: first and last place on the long limb, ascending. */
-    /** LOCATED: (kT - kL) / (kT + kL), with the total turning kT of the tail limb and kL of the
-     * long limb inside the throw. 0: a flat half knot; +1: the tail is hitched round a straight
-     * long limb; -1: the reverse. */
+    /** LOCATED: (cT - cL) / (cT + cL), with the mean curvature cT of the tail limb and cL of the
+     * long limb where the two cross, seen from all directions. 0: a flat half knot; +1: the tail is
+     * hitched round a straight long limb; -1: the reverse. */
     double slip;
     double tail_length;   /**< LOCATED: length of thread between the throw and the tail's end, m. */
     uint64_t formed_step; /**< Step of the detector in which the throw was first found. */

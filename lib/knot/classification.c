@@ -32,8 +32,9 @@ static bool is_certain(const knot_job *job)
            job->agreeing == job->closure.alternative_count;
 }
 
-static void fill_throw(const knot_detector *d, const knot_located *from, vbss_knot_throw *to)
+static void fill_throw(const knot_detector *d, uint32_t number, vbss_knot_throw *to)
 {
+    const knot_located *from = &d->job.locator.throws[number];
     const knot_input *input = &d->job.input;
     *to = (vbss_knot_throw){.struct_size = sizeof *to,
                             .wraps = from->wraps,
@@ -51,7 +52,7 @@ static void fill_throw(const knot_detector *d, const knot_located *from, vbss_kn
     to->flags |= VBSS_KNOT_THROW_LOCATED;
     vbss_knot_places_to_host(input, from->tail_places, to->tail_places);
     vbss_knot_places_to_host(input, from->long_places, to->long_places);
-    to->slip = vbss_knot_slip(input, from->tail_places, from->long_places);
+    to->slip = d->job.slips[number];
     to->tail_length = vbss_knot_length(input, 0.0, from->tail_places[0]);
     to->flags |= from->stray || fabs(to->slip) < d->config.slip_limit ? 0u : VBSS_KNOT_THROW_HITCH;
     to->flags |= to->tail_length < d->config.tail_least ? VBSS_KNOT_THROW_REVOCABLE : 0u;
@@ -174,7 +175,7 @@ static void list_throws(const knot_detector *d, bool follows, knot_classificatio
     }
     v->throw_count = job->outward.factors.count;
     for (uint32_t i = 0; i < v->throw_count; i++) {
-        fill_throw(d, &job->locator.throws[i], &v->throws[i]);
+        fill_throw(d, i, &v->throws[i]);
     }
     flag_strays(v, &job->tail);
     flag_strays(v, &job->long_limb);

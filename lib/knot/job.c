@@ -161,6 +161,8 @@ bool vbss_knot_job_resume(knot_job *job, const vbss_knot_detector_config *config
             break;
         case KNOT_JOB_LOCATE:
             if (vbss_knot_locator_resume(&job->locator, &job->reader, budget)) {
+                vbss_knot_measure_slips(&job->input, job->locator.throws, job->locator.count,
+                                        &job->slip_room, job->slips);
                 job->stage = KNOT_JOB_DONE;
             }
             break;

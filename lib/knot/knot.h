@@ -311,11 +311,6 @@ uint32_t vbss_knot_faults_of(const knot_classification *classification);
 enum { KNOT_NOTATION = 32 };
 void vbss_knot_notation_of(const knot_classification *classification, char text[KNOT_NOTATION]);
 
-/* Slip (slip.c): (kT - kL) / (kT + kL), where k is the total turning angle of the tail or long limb
- * between its two places. */
-double vbss_knot_slip(const knot_input *input, const double tail_places[2],
-                      const double long_places[2]);
-
 /* ---- one closed curve (curve.c) */
 
 typedef struct knot_reading {
@@ -438,6 +433,25 @@ typedef struct knot_located {
     double tail_places[2], long_places[2]; /* places in the numbering of the copy */
 } knot_located;
 
+/* Slip of the throws of a reading (slip.c): (cT - cL) / (cT + cL) of each, where c is the mean
+ * curvature of the tail or long limb at the crossings of both limbs, seen from all directions. */
+enum { KNOT_LIMB_PIECES = 48 };
+typedef struct knot_limb_piece {
+    vec3 from, to;
+    double length, distance; /* m; along the thread between the tissue and the middle */
+    double curvature;        /* mean, 1/m */
+} knot_limb_piece;
+typedef struct knot_limb {
+    uint32_t count;
+    knot_limb_piece pieces[KNOT_LIMB_PIECES];
+} knot_limb;
+typedef struct knot_slip_room {
+    knot_limb limbs[2]; /* tail, long */
+    double crossings[KNOT_LIMB_PIECES][KNOT_LIMB_PIECES];
+} knot_slip_room;
+void vbss_knot_measure_slips(const knot_input *input, const knot_located *throws, uint32_t count,
+                             knot_slip_room *room, double slips[KNOT_THROWS]);
+
 typedef enum knot_locate_stage {
     KNOT_LOCATE_REDUCE,  /* reduce the thread between fixed vertices, so that places stay known */
     KNOT_LOCATE_PROJECT, /* make diagrams, whose crossings have places */
@@ -530,6 +544,8 @@ typedef struct knot_job {
     knot_reading outward, tail, long_limb, tools;
     bool has_tools;
     uint32_t agreeing;
+    double slips[KNOT_THROWS]; /* of the located throws */
+    knot_slip_room slip_room;
 } knot_job;
 /* Whether a reading has started and is not complete. */
 bool vbss_knot_job_is_active(const knot_job *job);

@@ -29,7 +29,7 @@ static void defaults_match_documentation(void **state)
                                               .tail_reach = 0.03,
                                               .tail_least = 0.003,
                                               .wrap_turns = 0.75,
-                                              .slip_limit = 0.6,
+                                              .slip_limit = 0.45,
                                               .plane_offset = -0.002,
                                               .seed = 1};
     const vbss_knot_input input = {

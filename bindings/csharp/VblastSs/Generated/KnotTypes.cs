@@ -330,7 +330,7 @@ namespace VblastSs
             set { box[0].WrapTurns = value; }
         }
 
-        /// <summary>Magnitude of a throw's slip measure from which it is a half hitch, 0 to 1; default 0.6.</summary>
+        /// <summary>Magnitude of a throw's slip measure from which it is a half hitch, 0 to 1; default 0.45.</summary>
         public double SlipLimit
         {
             get { return box[0].SlipLimit; }
@@ -531,9 +531,9 @@ namespace VblastSs
         /// <summary>LOCATED: first and last place on the long limb, ascending.</summary>
         public Doubles2 LongPlaces;
         /// <summary>
-        /// LOCATED: (kT - kL) / (kT + kL), with the total turning kT of the tail limb and kL of the
-        /// long limb inside the throw. 0: a flat half knot; +1: the tail is hitched round a
-        /// straight long limb; -1: the reverse.
+        /// LOCATED: (cT - cL) / (cT + cL), with the mean curvature cT of the tail limb and cL of
+        /// the long limb where the two cross, seen from all directions. 0: a flat half knot; +1:
+        /// the tail is hitched round a straight long limb; -1: the reverse.
         /// </summary>
         public double Slip;
         /// <summary>LOCATED: length of thread between the throw and the tail's end, m.</summary>

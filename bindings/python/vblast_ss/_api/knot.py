@@ -205,7 +205,7 @@ class vbss_knot_detector_config(ctypes.Structure):
     default 0.75. The wrap ends a quarter of a turn lower.
 
     slip_limit: Magnitude of a throw's slip measure from which it is a half hitch, 0 to 1;
-    default 0.6.
+    default 0.45.
 
     plane_offset: PROJECTION: position of the plane on the tool's axis, m from the tip towards
     the handle, -1 to 1; default -0.002, ahead of the tip.
@@ -357,9 +357,9 @@ class vbss_knot_throw(ctypes.Structure):
 
     long_places: LOCATED: first and last place on the long limb, ascending.
 
-    slip: LOCATED: (kT - kL) / (kT + kL), with the total turning kT of the tail limb and kL of
-    the long limb inside the throw. 0: a flat half knot; +1: the tail is hitched round a
-    straight long limb; -1: the reverse.
+    slip: LOCATED: (cT - cL) / (cT + cL), with the mean curvature cT of the tail limb and cL of
+    the long limb where the two cross, seen from all directions. 0: a flat half knot; +1: the
+    tail is hitched round a straight long limb; -1: the reverse.
 
     tail_length: LOCATED: length of thread between the throw and the tail's end, m.
 

@@ -209,7 +209,7 @@ pub struct vbss_knot_detector_config {
     /// Signed turns about a tool from which the thread is wrapped round it, 0.1 to 2; default 0.75.
     /// The wrap ends a quarter of a turn lower.
     pub wrap_turns: f64,
-    /// Magnitude of a throw's slip measure from which it is a half hitch, 0 to 1; default 0.6.
+    /// Magnitude of a throw's slip measure from which it is a half hitch, 0 to 1; default 0.45.
     pub slip_limit: f64,
     /// PROJECTION: position of the plane on the tool's axis, m from the tip towards the handle, -1
     /// to 1; default -0.002, ahead of the tip.
@@ -291,9 +291,9 @@ pub struct vbss_knot_throw {
     pub tail_places: [f64; 2],
     /// LOCATED: first and last place on the long limb, ascending.
     pub long_places: [f64; 2],
-    /// LOCATED: (kT - kL) / (kT + kL), with the total turning kT of the tail limb and kL of the
-    /// long limb inside the throw. 0: a flat half knot; +1: the tail is hitched round a straight
-    /// long limb; -1: the reverse.
+    /// LOCATED: (cT - cL) / (cT + cL), with the mean curvature cT of the tail limb and cL of the
+    /// long limb where the two cross, seen from all directions. 0: a flat half knot; +1: the tail is
+    /// hitched round a straight long limb; -1: the reverse.
     pub slip: f64,
     /// LOCATED: length of thread between the throw and the tail's end, m.
     pub tail_length: f64,
