@@ -9,15 +9,7 @@
  * next.) */
 #include "base/elementary.h"
 #include "knot/knot.h"
-
-/* Rounds of the search for the middles. In tight knots they move by less than 0.01 segments after
- * eight. */
-enum { ROUNDS = 8 };
-/* Reach of a window without a neighbour, in the sum of both limbs' standard deviations of the
- * crossings: 2.5 and 3.5 give the same within 0.02. */
-#define REACH 2.5
-/* Segments this far apart, in the sum of their lengths, cross as if they were points: within 6 %. */
-#define FAR 2.0
+#include "knot/tuning.h"
 
 /* ---- pieces of a limb */
 
@@ -85,7 +77,7 @@ static double count_crossings(const knot_limb_piece *p, const knot_limb_piece *q
         return 0.0; /* in one plane */
     }
     vec3 apart = vec3_lerp(a, c, 0.5);
-    double far = FAR * (p->length + q->length), squared = vec3_norm_squared(apart);
+    double far = KNOT_SLIP_FAR_RATIO * (p->length + q->length), squared = vec3_norm_squared(apart);
     if (squared > far * far) {
         return 0.5 * triple / (squared * sqrt(squared));
     }
@@ -181,7 +173,7 @@ static void shift_window(throw_window *own, const crossing_sums *sums)
         own->middle[limb] = mean;
         reach += sqrt(vbss_max(sums->second[limb] / sums->all - mean * mean, 0.0));
     }
-    own->reach = REACH * reach;
+    own->reach = KNOT_SLIP_REACH * reach;
 }
 
 /* ---- a stack of throws */
@@ -236,7 +228,7 @@ static void measure_stack(const knot_input *input, const knot_located *throws, u
             room->crossings[i][k] = -1.0;
         }
     }
-    for (uint32_t round = 0; round < ROUNDS; round++) {
+    for (uint32_t round = 0; round < KNOT_SLIP_ROUNDS; round++) {
         for (uint32_t i = 0; i < count; i++) {
             const limb_window own[2] = {window_of(windows, count, i, 0),
                                         window_of(windows, count, i, 1)};

@@ -66,6 +66,19 @@
  * Unit: operations, about 1 ns each. Origin: fitted: `./bench/run.sh knots`. Test: session. */
 #define KNOT_COMPACT_OPS VBSS_TUNE(KNOT_COMPACT_OPS, 5)
 
+/* ---- Slip (slip.c) */
+
+/* Rounds of the search for the middles of throws. In tight knots the measure moves by less than 0.01
+ * after them. Unit: rounds. Origin: chosen. Test: none known. */
+#define KNOT_SLIP_ROUNDS VBSS_TUNE(KNOT_SLIP_ROUNDS, 8)
+/* Reach of a window that has no neighbour; 3.5 changes the measure by at most 0.02.
+ * Unit: 1, relative to the standard deviations of the crossings on both limbs, summed. Origin: chosen. Test: none
+ * known. */
+#define KNOT_SLIP_REACH VBSS_TUNE(KNOT_SLIP_REACH, 2.5)
+/* Segments this far apart cross as if they were points, within 6 %.
+ * Unit: 1, relative to the sum of their lengths. Origin: chosen. Test: none known. */
+#define KNOT_SLIP_FAR_RATIO VBSS_TUNE(KNOT_SLIP_FAR_RATIO, 2.0)
+
 /* ---- Diagram (projection.c, projected_edges.c, triangle.h, curve.c) */
 
 /* A crossing this near to a vertex or to another crossing rejects the direction.
