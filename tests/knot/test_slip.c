@@ -113,6 +113,30 @@ static void places_that_move_by_segments_hardly_matter(void **state)
     expect_near(exact_slip(0.15, 0.08), slip_of(&p, 0.16, 0.0), 1e-2);
 }
 
+/* The tail winds wider below, the long limb above: windows of neighbours end at each other's middle. */
+static void neighbours_are_measured_apart(void **state)
+{
+    (void)state;
+    helices p = {.half = 97, .count = 194};
+    for (uint32_t i = 0; i < p.half; i++) {
+        double turns = 4.0 * i / 96.0, above = vbss_min(vbss_max(turns - 1.5, 0.0), 1.0), sine,
+               cosine;
+        double tail = 0.15 - 0.07 * above, longer = 0.08 + 0.07 * above;
+        vbss_sincos(2.0 * PI * turns, &sine, &cosine);
+        p.x[96 - i] = vec3_make(tail * cosine, tail * sine, turns);
+        p.x[97 + i] = vec3_make(-longer * cosine, -longer * sine, turns);
+    }
+    const knot_input input = {.point_count = p.count, .points = p.x, .tissue_place = -1.0};
+    const knot_located throws[2] = {
+        {.located = true, .ordered = true, .tail_places = {70, 74}, .long_places = {119, 123}},
+        {.located = true, .ordered = true, .tail_places = {22, 26}, .long_places = {167, 171}}};
+    static knot_slip_room room;
+    double slips[KNOT_THROWS];
+    vbss_knot_measure_slips(&input, throws, 2, &room, slips);
+    expect_near(exact_slip(0.15, 0.08), slips[0], 0.02);
+    expect_near(-slips[0], slips[1], 1e-3);
+}
+
 static void limbs_that_do_not_cross_or_bend_measure_zero(void **state)
 {
     (void)state;
@@ -279,6 +303,7 @@ int test_slip(void)
         cmocka_unit_test(capsizing_helices_measure_as_by_formula),
         cmocka_unit_test(fine_segments_measure_the_same),
         cmocka_unit_test(places_that_move_by_segments_hardly_matter),
+        cmocka_unit_test(neighbours_are_measured_apart),
         cmocka_unit_test(limbs_that_do_not_cross_or_bend_measure_zero),
         cmocka_unit_test(bends_count_where_limbs_cross),
         cmocka_unit_test(flat_knots_measure_zero_with_any_segments),
