@@ -25,6 +25,9 @@
 #define BEARS 0.1 /* N: a hand whose fork bears the wall feels more, once that is pressed for */
 #define PRESSED 0.5 /* so many s */
 #define BORNE 1.5   /* s: after that time on the fork the right wall is at rest */
+#define BUMPS 1.5 /* N: a hand whose needle comes to the mark feels more: it is at the other tool */
+#define NEARER 0.05 /* of the left shaft's point, on a further try, m */
+#define MISSED 6e-3 /* of the tip beyond the right mark without a hole; it enters at 2 to 3 mm */
 #define SQUARE \
     0.75 /* cosine between needle and wall, beyond which the needle was square to it once; */
 #define ASLANT 0.25      /* so much of it is lost when the wall tips over */
@@ -37,7 +40,8 @@
 #define SPRINGS 0.05     /* s: so soon after it has entered the wall may spring off it */
 #define SEEING 0.1       /* s: what is seen is told so late */
 
-enum { TRIES = 5, AGAIN = 4 }; /* to take it; to come back to the left wall */
+enum { TRIES = 5, AGAIN = 9 }; /* to take it, to enter the right wall; to come back to the left */
+enum { PLACES = 5 };           /* of the fork on the left wall */
 
 static const char *const names[] = {"lie",   "reach", "lower", "close", "lift", "bring", "aim",
                                     "enter", "cross", "leave", "ease",  "draw", "done",  "failed"};
@@ -166,10 +170,44 @@ static void take(stitch *t)
     }
 }
 
+static double felt(const hand *h)
+{
+    vbss_grasper_state s;
+    return vbss_grasper_get_state(h->grasper, &s, sizeof s) == VBSS_OK
+               ? v_length(v_load(s.hand_force))
+               : 0.0;
+}
+
 /* But for what it misses its aim by. */
 static bool is_there(const hand *h)
 {
     return v_distance(h->at, v_add(h->goal, h->target_at)) < 1e-3;
+}
+
+/* The fork's tips have come in by the slit, and do not lie on the right wall from outside. */
+static bool is_under_wall(const stitch *t)
+{
+    vec from = v_sub(t->left.at, t->marks[SITE_RIGHT]);
+    return v_dot(from, site_normal(&t->site, SITE_RIGHT)) < 0.0;
+}
+
+static void enter_support(stitch *t, stitch_support support)
+{
+    t->support = support;
+    t->support_since = 0.0;
+}
+
+/* Over the slit, and in by it once more, from farther on the near side: there the shaft is not in the needle's way. */
+static void set_fork_again(stitch *t)
+{
+    hand_target(&t->left, t->left.nature.target_end);
+    if (t->left_is_free) {
+        hand_through(&t->left, v_along(STITCH_LEFT_TROCAR, -NEARER, v3(0.0, 1.0, 0.0)));
+    }
+    enter_support(t, SUPPORT_OVER);
+    if (++t->forked == TRIES) {
+        fail(t, "the right wall is not supported");
+    }
 }
 
 static void carry(stitch *t)
@@ -189,24 +227,27 @@ static void carry(stitch *t)
     if (t->state == STITCH_BRING) {
         needle.at = v_add(needle.at, v3(0.012, 0.0, 0.015));
         steer(t, &needle, CARRY);
-        if (hold_off(&t->site, &needle) < 4e-3) {
+        if (hold_off(&t->site, &needle) < 4e-3 && t->support != SUPPORT_OVER) {
             enter_state(t, STITCH_TARGET);
         }
         return;
     }
+    if (t->support == SUPPORT_UNDER && felt(&t->right) > BUMPS) {
+        stitch_aim(t, SITE_RIGHT);
+        enter_state(t, STITCH_BRING);
+        set_fork_again(t);
+        return;
+    }
+    if (t->support == SUPPORT_OVER) {
+        enter_state(t, STITCH_BRING);
+        return;
+    }
     steer(t, &needle, CAREFUL);
-    bool borne = t->support == SUPPORT_UNDER && t->support_since > BORNE && is_there(&t->left);
+    bool borne = t->support == SUPPORT_UNDER && t->support_since > BORNE && is_there(&t->left) &&
+                 is_under_wall(t);
     if (hold_off(&t->site, &needle) < 1e-3 && borne) {
         enter_state(t, STITCH_ENTER);
     }
-}
-
-static double felt(const hand *h)
-{
-    vbss_grasper_state s;
-    return vbss_grasper_get_state(h->grasper, &s, sizeof s) == VBSS_OK
-               ? v_length(v_load(s.hand_force))
-               : 0.0;
 }
 
 /* How the left wall gives way, as is seen and felt: it tips over the fork instead of being pierced, or leaves it, or the hand feels
@@ -237,20 +278,25 @@ static void try_again(stitch *t, yielding how)
 {
     vec along = v3(0.0, 1.0, 0.0);
     vec up = v_cross(along, site_normal_at_rest(&t->site, SITE_LEFT));
-    if (how == LEAVES) {
+    const int place = t->again % PLACES;
+    if (place ==
+        PLACES - 1) { /* all have been tried: from the usual one on again, with a surer aim */
+        t->fork = v3(0.0, 0.0, 0.0);
+    } else if (how == LEAVES) {
         t->fork = v_along(t->fork, -LOWER, up);
     } else if (t->square > 0.0) { /* it has pressed */
         double higher = v_dot(t->pressed, up) + 0.5 * LOWER;
         double aside = v_dot(v_sub(t->pressed, t->beside), along);
         t->fork = v_scale(clamp(aside, -FORK_MOVED, FORK_MOVED), along);
         t->fork = v_along(t->fork, clamp(higher, -LOWER, LOWER), up);
-        double elsewhere = ELSEWHERE * (t->again > 0 ? t->again + 1 : 0);
-        t->fork = v_along(t->fork, t->again % 2 == 1 ? elsewhere : -elsewhere, up);
+        double elsewhere = ELSEWHERE * (place > 0 ? place + 1 : 0);
+        t->fork = v_along(t->fork, place % 2 == 1 ? elsewhere : -elsewhere, up);
     }
     t->trim = v3(0.0, 0.0, 0.0);
     t->square = 0.0;
-    hand_target(&t->left, t->left.nature.target_end);
-    t->again++;
+    t->again++; /* who comes again has seen what was missed */
+    hand_target(&t->left, t->left.nature.target_end / (1 + t->again));
+    t->errors[SITE_LEFT] = v_scale(0.5, t->errors[SITE_LEFT]);
     enter_state(t, STITCH_EASE);
     if (t->again > AGAIN) {
         fail(t, "the left wall gives way");
@@ -263,16 +309,29 @@ static bool is_out(const stitch *t)
     return t->state == STITCH_EASE && t->holes[SITE_RIGHT] == 0;
 }
 
+/* Presses on the right wall. A tip that slides along it or misses it goes back the way it came, and the hand aims again. */
+static void enter_wall(stitch *t, double step)
+{
+    if (t->gone > MISSED) {
+        t->misses = true;
+    }
+    t->gone += t->misses ? -step : step;
+    if (t->misses && t->gone <= -BEFORE) {
+        t->misses = false;
+        stitch_aim(t, SITE_RIGHT);
+        enter_state(t, STITCH_BRING);
+        if (++t->missed == TRIES) {
+            fail(t, "the right wall is not entered");
+        }
+    }
+}
+
 static void drive(stitch *t, double dt)
 {
     double step = DRIVE * t->right.nature.speed * dt;
     pose needle = entering(t);
     if (t->state == STITCH_ENTER) {
-        if (t->gone < 14e-3) {
-            t->gone += step;
-        } else if (t->since > 5.0) {
-            fail(t, "the right wall is not entered");
-        }
+        enter_wall(t, step);
         steer(t, &needle, CARRY);
         return;
     }
@@ -346,12 +405,6 @@ static void lead_right(stitch *t, double dt)
 
 /* ---- the left hand */
 
-static void enter_support(stitch *t, stitch_support support)
-{
-    t->support = support;
-    t->support_since = 0.0;
-}
-
 static void lead_left(stitch *t)
 {
     hand *h = &t->left;
@@ -378,6 +431,11 @@ static void lead_left(stitch *t)
         break;
     case SUPPORT_UNDER:
         hand_go(h, tip, CAREFUL);
+        if (t->state <= STITCH_TARGET && t->support_since > BORNE && is_there(h) &&
+            !is_under_wall(t)) {
+            set_fork_again(t);
+            break;
+        }
         if (t->state == STITCH_CROSS && t->gone >= IN_LUMEN) {
             enter_support(t, SUPPORT_OUT);
         }
@@ -385,6 +443,7 @@ static void lead_left(stitch *t)
     case SUPPORT_OUT:
         hand_go(h, v_along(tip, 0.025, direction), CARRY);
         if (v_distance(h->at, v_add(v_along(tip, 0.025, direction), h->target_at)) < 1e-3) {
+            hand_through(h, STITCH_LEFT_TROCAR);
             enter_support(t, SUPPORT_BESIDE);
         }
         break;

@@ -5,7 +5,8 @@
 #include "needle/hold.h"
 #include "throw/skill.h"
 
-#define STITCH_JAW_WIDE 0.6 /* of the right handle, when it takes a needle */
+#define STITCH_LEFT_TROCAR v3(-0.12, -0.015, 0.08) /* on the line of the left shaft */
+#define STITCH_JAW_WIDE 0.6                        /* of the right handle, when it takes a needle */
 
 /* The right hand drives. */
 typedef enum stitch_state {
@@ -39,27 +40,33 @@ typedef enum stitch_support {
 typedef struct stitch {
     site site;
     hand right, left;
+    bool left_is_free; /* of a trocar */
     stitch_state state;
     stitch_support support;
     double since, support_since; /* s in the state */
     int tries;                   /* to take it */
     const char *why;
-    pose held;      /* the needle in the frame of what the right tool was told */
-    pose from;      /* of the right tool, when it lifts */
-    vec beside;     /* so far from both marks it is stitched, knowingly */
-    bool withdraws; /* and knowingly drawn back out of the first wall */
-    bool mends;     /* a withdrawn needle stays out until stitch_mend is called */
-    vec errors[2];  /* of aim, at the left and the right mark */
-    vec marks[2];   /* as seen, a little late */
-    vec trim;       /* of the aim at the left mark */
-    double square;  /* cosine between needle and left wall, the largest of this try */
-    vec pressed;    /* where the needle pressed on it then, from the mark */
-    vec fork;       /* so far from its usual place the fork is set on the left wall */
-    int again;      /* times that the needle has been drawn back from it */
-    vec hole;       /* the first, likewise */
-    vec entry;      /* where the right mark is taken to be while it is entered */
-    double gone;    /* the tip beyond the right mark along the way it shall go, m */
-    double along;   /* share of the change from the circle of entry to that through both marks */
+    pose held;        /* the needle in the frame of what the right tool was told */
+    pose from;        /* of the right tool, when it lifts */
+    vec beside;       /* so far from both marks it is stitched, knowingly */
+    bool withdraws;   /* and knowingly drawn back out of the first wall */
+    bool mends;       /* a withdrawn needle stays out until stitch_mend is called */
+    vec errors[2];    /* of aim, at the left and the right mark */
+    double target_at; /* their size, m */
+    uint64_t random;
+    bool misses;   /* the tip goes back from a right wall that it has missed */
+    int forked;    /* times that the fork was set again under the right wall */
+    int missed;    /* so many times */
+    vec marks[2];  /* as seen, a little late */
+    vec trim;      /* of the aim at the left mark */
+    double square; /* cosine between needle and left wall, the largest of this try */
+    vec pressed;   /* where the needle pressed on it then, from the mark */
+    vec fork;      /* so far from its usual place the fork is set on the left wall */
+    int again;     /* times that the needle has been drawn back from it */
+    vec hole;      /* the first, likewise */
+    vec entry;     /* where the right mark is taken to be while it is entered */
+    double gone;   /* the tip beyond the right mark along the way it shall go, m */
+    double along;  /* share of the change from the circle of entry to that through both marks */
     uint32_t punctures, others; /* holes made; tears, slips out, withdrawals */
     uint32_t holes[2];          /* their ids: left, right */
     vbss_scene_hole made[2];    /* when made */
@@ -74,6 +81,8 @@ typedef struct stitch_plan {
 
 void stitch_plan_usual(stitch_plan *plan);
 vbss_result stitch_create(stitch *t, uint64_t seed, const stitch_plan *plan);
+/* Another error of aim at a mark. */
+void stitch_aim(stitch *t, int side);
 /* Tells both hands what to do in the coming step, and moves their tools. */
 vbss_result stitch_lead(stitch *t, double dt);
 /* Looks at what it did. */

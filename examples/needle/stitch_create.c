@@ -1,8 +1,7 @@
 /* A stitch as it begins: the site, and both hands with their tools. */
 #include "needle/stitch.h"
 
-#define JAW_RADIUS 0.25e-3 /* fine enough to take what lies flat on a floor */
-#define LEFT_TROCAR v3(-0.12, -0.015, 0.08)
+#define JAW_RADIUS 0.25e-3             /* fine enough to take what lies flat on a floor */
 #define LEFT_POINT v3(0.56, 0.0, 0.83) /* so that it opens along the drain */
 #define NECK 5e-3 /* of the left tool, if it has no trocar and shall be wound about */
 #define FORK 0.56 /* of the left handle: a needle goes between its jaws */
@@ -31,21 +30,23 @@ static vbss_result make_hands(stitch *t, const hand_nature *nature, bool free_le
         c.driver_neck = NECK;
     } else {
         c.has_trocar = 1;
-        v_store(c.trocar, LEFT_TROCAR);
+        v_store(c.trocar, STITCH_LEFT_TROCAR);
     }
     TRY(hand_create_with(&t->left, &t->site.rig, &left, &c, v3(-0.04, -0.01, 0.03), LEFT_POINT,
                          FORK));
-    hand_through(&t->left, LEFT_TROCAR);
+    hand_through(&t->left, STITCH_LEFT_TROCAR);
+    t->left_is_free = free_left;
     hand_turn(&t->left, LEFT_POINT);
     return VBSS_OK;
 }
 
-/* An error of aim lies in the wall. */
-static vec any_error(uint64_t *random, double size, vec normal)
+/* It lies in the wall. */
+void stitch_aim(stitch *t, int side)
 {
-    double angle = between(random, 0.0, 6.283185307179586);
-    vec away = v3(0.0, 1.0, 0.0), side = v_cross(normal, away);
-    return v_add(v_scale(size * vbss_cos(angle), away), v_scale(size * vbss_sin(angle), side));
+    double angle = between(&t->random, 0.0, 6.283185307179586);
+    vec along = v3(0.0, 1.0, 0.0), up = v_cross(site_normal_at_rest(&t->site, side), along);
+    t->errors[side] = v_add(v_scale(t->target_at * vbss_cos(angle), along),
+                            v_scale(t->target_at * vbss_sin(angle), up));
 }
 
 void stitch_plan_usual(stitch_plan *plan)
@@ -73,8 +74,10 @@ vbss_result stitch_create(stitch *t, uint64_t seed, const stitch_plan *plan)
     nature.tremor *= skill->tremor;
     nature.target_at = nature.target_end = target_at *= skill->target_at;
     TRY(site_create(&t->site, place, turn, &plan->site));
+    t->target_at = target_at;
+    t->random = random;
     for (int side = 0; side < 2; side++) {
-        t->errors[side] = any_error(&random, target_at, site_normal_at_rest(&t->site, side));
+        stitch_aim(t, side);
         t->marks[side] = site_mark(&t->site, side);
     }
     t->held.q[0] = 1.0;

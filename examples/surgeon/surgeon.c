@@ -2,12 +2,12 @@
 
 #include <stdio.h>
 
-#define MAX_OFF 2e-3 /* of a hole from its mark */
 #define TAIL_SHORT 15e-3
 #define TAIL_LONG 20e-3
 #define TAIL_JAMMED 22.5e-3 /* what has jammed at 22 mm, and is eased */
 #define GAP_OPEN 2e-3
 #define GAP_SHUT 0.5e-3
+#define GAP_HELD 1e-3 /* under the double: with less the second throw is pulled from behind */
 #define BESIDE v3(0.0, 3e-3, 0.0) /* the marks, of one who misses them: along the drain */
 #define LIFT 0.08                 /* m, of a needle in both walls */
 #define A_MOMENT 0.1              /* s */
@@ -49,7 +49,8 @@ const char *surgeon_doing(const surgeon *s)
     case SURGEON_PASS:
         return stitch_name(s->stitch.state);
     case SURGEON_PULL:
-        return pull_name(s->pull.state);
+        return s->lengthen.state == LENGTHEN_NOT ? pull_name(s->pull.state)
+                                                 : lengthen_name(s->lengthen.state);
     case SURGEON_TIE:
     case SURGEON_SECOND:
     case SURGEON_THIRD:
@@ -108,7 +109,7 @@ static vbss_result pass(surgeon *s, double dt)
         pull_begin(&s->pull, t);
         s->lifted_from = t->right.at;
         s->stage = SURGEON_PULL;
-        if (t->punctures != 2 || t->others > 0 || s->off[0] > MAX_OFF || s->off[1] > MAX_OFF) {
+        if (t->punctures != 2 || t->others > 0) {
             fail(s, "not through both marks");
         }
     } else if (t->state == STITCH_FAILED) {
@@ -150,9 +151,20 @@ static vbss_result pull(surgeon *s, double dt)
     if (s->lowers) {
         return lower(s, dt);
     }
-    pull_step(&s->pull, dt);
+    const bool lengthens = s->lengthen.state != LENGTHEN_NOT;
+    if (lengthens) {
+        TRY(surgeon_observe(s));
+        lengthen_step(&s->lengthen, dt);
+    } else {
+        pull_step(&s->pull, dt);
+    }
     TRY(move(s, dt));
-    if (s->pull.state == PULL_DONE) {
+    if (s->pull.state == PULL_DONE && !lengthens && s->pull.tail < TAIL_SHORT) {
+        TRY(surgeon_see(s));
+        lengthen_begin(&s->lengthen, &s->pull, &s->see);
+    } else if (lengthens && s->lengthen.state < LENGTHEN_DONE) {
+        return VBSS_OK;
+    } else if (s->pull.state == PULL_DONE) {
         s->stage = SURGEON_TIE;
         s->tail = s->pull.tail;
         s->gap_before = s->gap;
@@ -183,7 +195,7 @@ static vbss_result tie(surgeon *s, double dt)
         s->stage = (surgeon_stage)(s->stage + 1);
         if (!throw_is_formed_as(&s->tie, wanted)) {
             fail(s, "not the throw that it shall be");
-        } else if (s->stage == SURGEON_OVER && s->gap > GAP_SHUT) {
+        } else if (s->stage == SURGEON_OVER && s->gap > GAP_HELD) {
             fail(s, "the slit is not shut");
         } else if (s->stage == SURGEON_CUT) {
             return surgeon_begin_cut(s);

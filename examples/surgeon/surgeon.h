@@ -4,6 +4,7 @@
 
 #include "needle/stitch.h"
 #include "surgeon/hand_over.h"
+#include "surgeon/lengthen.h"
 #include "surgeon/mistake.h"
 #include "surgeon/pull.h"
 #include "surgeon/task.h"
@@ -28,6 +29,7 @@ typedef enum surgeon_stage {
 typedef struct surgeon {
     stitch stitch; /* with scene and hands */
     pull_run pull;
+    lengthen_run lengthen; /* if the tail has become too short */
     senses see;
     throw_run tie;
     hand_over over;
@@ -83,6 +85,8 @@ const char *surgeon_doing(const surgeon *s);
 /* ---- tie.c */
 /* Of the double. */
 void surgeon_plan_tie(throw_plan *plan);
+/* Sees the thread from now on. */
+vbss_result surgeon_see(surgeon *s);
 vbss_result surgeon_begin_tie(surgeon *s);
 void surgeon_hold_level(surgeon *s);
 vbss_result surgeon_tie(surgeon *s, double dt);

@@ -71,13 +71,28 @@ void surgeon_plan_tie(throw_plan *plan)
     plan->minds = SURGEON_MINDS;
 }
 
-vbss_result surgeon_begin_tie(surgeon *s)
+static void find_roots(surgeon *s)
+{
+    find_marks(s);
+    s->see.tail_root = s->stitch.site.rig.marks[0];
+    s->see.limb_root = s->stitch.site.rig.marks[1];
+}
+
+vbss_result surgeon_see(surgeon *s)
 {
     stitch *t = &s->stitch;
+    if (s->see.rig == NULL) {
+        find_marks(s);
+        TRY(senses_create(&s->see, &t->site.rig, &t->left, &t->right));
+    }
+    find_roots(s);
+    return senses_observe(&s->see);
+}
+
+vbss_result surgeon_begin_tie(surgeon *s)
+{
     throw_plan plan;
-    find_marks(s);
-    TRY(senses_create(&s->see, &t->site.rig, &t->left, &t->right));
-    TRY(senses_observe(&s->see));
+    TRY(surgeon_see(s));
     surgeon_plan_tie(&plan);
     surgeon_spoil(s, &plan);
     surgeon_hold_level(s);
@@ -182,9 +197,9 @@ vbss_result surgeon_tie(surgeon *s, double dt)
 {
     sway(s, dt);
     if (s->stage == SURGEON_TIE) { /* both come out of the drain */
-        find_marks(s);
-        s->tie.tail_root = s->see.tail_root = s->stitch.site.rig.marks[0];
-        s->tie.limb_root = s->see.limb_root = s->stitch.site.rig.marks[1];
+        find_roots(s);
+        s->tie.tail_root = s->see.tail_root;
+        s->tie.limb_root = s->see.limb_root;
     }
     TRY(surgeon_observe(s));
     TRY(throw_step(&s->tie, dt));

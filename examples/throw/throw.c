@@ -28,7 +28,7 @@ void throw_plan_usual(throw_plan *p, int wraps)
         .reach = REACH,
         .min_height = -1.0,
         .pull = 2.0,
-        .retries = 2,
+        .retries = 5,
         .light = 0.02,
         .opening = 0.6,
         .beyond = 0.6,

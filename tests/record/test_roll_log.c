@@ -1,5 +1,5 @@
 /* Threads with twist and with memory of bends in a log: replayed to the bit, also from a snapshot inside the log. */
-#include "fixture.h"
+#include "record/replayed.h"
 #include "fixtures/rolled_scene.h"
 #include "record/record.h"
 
@@ -18,37 +18,9 @@ static void begin(rolled *r, bool has_friction_torque)
     expect_ok(rolled_scene_create(r->context, has_friction_torque, &r->s));
 }
 
-static uint64_t hash_of(vbss_scene *scene)
-{
-    uint64_t hash = 0;
-    expect_ok(vbss_scene_get_hash(scene, &hash));
-    return hash;
-}
-
 static void end(rolled *r)
 {
     harness_context_end(r->context, &r->memory);
-}
-
-static log_bytes log_of_rolls(rolled *r, uint64_t hashes[STEPS + 1])
-{
-    vbss_record_config config;
-    vbss_record *record;
-    log_bytes log = {NULL, 0};
-    expect_ok(vbss_record_config_init(&config, sizeof config));
-    config.hash_interval = 1;
-    config.snapshot_interval = INTERVAL;
-    expect_ok(vbss_record_create(r->s.scene, &config, &record));
-    expect_ok(vbss_scene_set_recorder(r->s.scene, record));
-    hashes[0] = hash_of(r->s.scene);
-    for (uint32_t k = 1; k <= STEPS; k++) {
-        expect_ok(rolled_scene_step(&r->s));
-        hashes[k] = hash_of(r->s.scene);
-        log_take(&log, record);
-    }
-    expect_ok(vbss_record_end(record));
-    log_take(&log, record);
-    return log;
 }
 
 static double at(vbss_scene *scene, uint32_t body, vbss_thread_field field, uint32_t entry)
@@ -62,46 +34,55 @@ static double at(vbss_scene *scene, uint32_t body, vbss_thread_field field, uint
                                            (size_t)entry * view.stride_bytes);
 }
 
+typedef struct last_state {
+    rolled r;
+    uint32_t segment;
+    double twist, set;
+} last_state;
+
+static void step_last_state(void *user, uint32_t k)
+{
+    (void)k;
+    last_state *l = user;
+    expect_ok(rolled_scene_step(&l->r.s));
+}
+
+static double twist_of(vbss_scene *scene, uint32_t segment)
+{
+    return at(scene, ROLLED_TWISTED, VBSS_THREAD_VIEW_TWISTS, segment);
+}
+
+static double set_of(vbss_scene *scene)
+{
+    return at(scene, ROLLED_BENT, VBSS_THREAD_VIEW_PLASTIC_CURVATURES, 14);
+}
+
+static void expect_last_state(void *user, vbss_scene *scene, uint32_t k)
+{
+    const last_state *l = user;
+    if (k == STEPS) {
+        expect_near(l->twist, twist_of(scene, l->segment), 0.0);
+        expect_near(l->set, set_of(scene), 0.0);
+    }
+}
+
 /* In the scene that the log describes: there is no other knowledge of twist and memory. */
 static void expect_replay(bool has_friction_torque)
 {
     uint64_t hashes[STEPS + 1];
-    rolled r, other;
-    begin(&r, has_friction_torque);
-    log_bytes log = log_of_rolls(&r, hashes);
     /* With friction torque the thread is cut, and only the contact still twists it; at rest it has 20 rad/m. */
-    const uint32_t segment = has_friction_torque ? 8 : 20;
-    const double twist = at(r.s.scene, ROLLED_TWISTED, VBSS_THREAD_VIEW_TWISTS, segment);
-    const double set = at(r.s.scene, ROLLED_BENT, VBSS_THREAD_VIEW_PLASTIC_CURVATURES, 14);
-    assert_true(fabs(twist - 20.0) > (has_friction_torque ? 1e-3 : 30.0) && fabs(set) > 5.0);
-
-    other.context = harness_context(&other.memory);
-    vbss_replay *replay;
-    vbss_scene *scene;
-    vbss_replay_report report;
-    expect_ok(vbss_replay_create(other.context, log.bytes, log.count, &replay));
-    expect_ok(vbss_replay_load_scene(replay, &scene));
-    for (uint32_t k = 1; k <= STEPS; k++) {
-        expect_ok(vbss_replay_step(replay, &report, sizeof report));
-        assert_true(hash_of(scene) == hashes[k]);
-    }
-    expect_ok(replay_all(replay, &report));
-    assert_int_equal(report.outcome, VBSS_REPLAY_OUTCOME_ENDED);
-    assert_int_equal(report.agreed_step, STEPS);
-    expect_near(twist, at(scene, ROLLED_TWISTED, VBSS_THREAD_VIEW_TWISTS, segment), 0.0);
-    expect_near(set, at(scene, ROLLED_BENT, VBSS_THREAD_VIEW_PLASTIC_CURVATURES, 14), 0.0);
-
+    last_state l = {.segment = has_friction_torque ? 8 : 20};
+    begin(&l.r, has_friction_torque);
+    const replayed r = {l.r.s.scene, STEPS, INTERVAL, &l, step_last_state, expect_last_state};
+    log_bytes log = replayed_log(&r, hashes);
+    l.twist = twist_of(l.r.s.scene, l.segment);
+    l.set = set_of(l.r.s.scene);
+    assert_true(fabs(l.twist - 20.0) > (has_friction_torque ? 1e-3 : 30.0) && fabs(l.set) > 5.0);
     /* Between snapshots, before, while and after the section is held. */
     const uint32_t sought[] = {30, 10, 55, 17};
-    for (int k = 0; k < 4; k++) {
-        expect_ok(vbss_replay_seek(replay, sought[k], &report, sizeof report));
-        assert_int_equal(report.agreed_step, sought[k]);
-        assert_true(hash_of(scene) == hashes[sought[k]]);
-    }
-    expect_ok(vbss_replay_destroy(replay));
-    harness_context_end(other.context, &other.memory);
+    expect_replayed(&r, &log, hashes, sought, sizeof sought / sizeof sought[0]);
     log_free(&log);
-    end(&r);
+    end(&l.r);
 }
 
 /* Each saved state, in a scene that has another past and in one that is loaded, continues with the same bits. */

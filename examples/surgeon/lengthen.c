@@ -1,0 +1,140 @@
+#include "surgeon/lengthen.h"
+
+#include <string.h>
+
+#define SLACK 15e-3      /* of the needle, toward the drain, m */
+#define FROM_HOLE 4.5e-3 /* where the tail is taken */
+#define WANTED 18.5e-3   /* of the tail in the end */
+#define OPENING 0.6      /* of the handle */
+#define COMING 0.06      /* m/s */
+#define GIVING 0.05
+#define DRAWING 0.012
+#define EASING 0.01
+#define UP 0.7        /* of the direction in which it is drawn, for 1 along the tail */
+#define TOO_HARD 1.5  /* N */
+#define MINDS 0.4     /* N: a hand on its way to the tail that feels more draws back */
+#define NOTHING 0.03  /* N */
+#define OFF 20e-3     /* m: of jaws that have let go */
+#define PATIENCE 12.0 /* s, of every state */
+#define STEEP v3(-0.15, -0.02, 0.2) /* on the line of the left shaft */
+
+const char *lengthen_name(lengthen_state state)
+{
+    static const char *const names[] = {"not",  "slack", "take the tail", "lengthen",
+                                        "ease", "leave", "lengthened",    "failed"};
+    return names[state];
+}
+
+static void enter(lengthen_run *l, lengthen_state state)
+{
+    l->state = state;
+    l->since = 0.0;
+}
+
+static uint32_t place(const lengthen_run *l)
+{
+    const uint32_t behind = (uint32_t)(FROM_HOLE / SEGMENT);
+    return l->see->tail_root > behind ? l->see->tail_root - behind : 0;
+}
+
+void lengthen_begin(lengthen_run *l, pull_run *pull, senses *see)
+{
+    hand *w = see->w;
+    memset(l, 0, sizeof *l);
+    l->pull = pull;
+    l->see = see;
+    l->needle = site_needle(&pull->stitch->site);
+    vec mark = site_mark(&pull->stitch->site, SITE_LEFT);
+    l->needle.at = v_along(l->needle.at, SLACK, v_unit(v_sub(mark, l->needle.at)));
+    hand_through(w, seen(w, STEEP));
+    enter(l, LENGTHEN_SLACK);
+}
+
+static void take(lengthen_run *l, double dt)
+{
+    const senses *s = l->see;
+    if (l->grip.state == CATCH_COME) {
+        l->grip.node = place(l);
+        hand_turn(s->w, catch_point(s, s->w, l->grip.node));
+    }
+    catch_step(&l->grip, dt);
+    if (l->grip.state == CATCH_MISSED) {
+        enter(l, LENGTHEN_FAILED);
+    } else if (l->grip.state == CATCH_HELD) {
+        vec along = v_unit(v_sub(s->x[place(l)], s->x[s->tail_root]));
+        l->carrot = s->tool_w.tip;
+        l->away = v_unit(v_along(along, UP, v3(0.0, 0.0, 1.0)));
+        enter(l, LENGTHEN_DRAW);
+    }
+}
+
+static void draw(lengthen_run *l, double dt)
+{
+    hand *w = l->see->w;
+    const bool hard = v_length(w->felt) > TOO_HARD;
+    l->carrot = v_along(l->carrot, hard ? 0.0 : DRAWING * dt, l->away);
+    hand_go(w, l->carrot, COMING);
+    if (l->pull->tail > WANTED) {
+        enter(l, LENGTHEN_EASE);
+    } else if (!senses_holds(l->see, w)) {
+        enter(l, LENGTHEN_FAILED);
+    }
+}
+
+static void ease(lengthen_run *l, double dt)
+{
+    hand *w = l->see->w;
+    if (v_length(w->felt) > NOTHING) {
+        l->carrot = v_along(l->carrot, -EASING * dt, l->away);
+    }
+    hand_go(w, l->carrot, COMING);
+    if (l->since > 1.0) {
+        enter(l, LENGTHEN_LEAVE);
+    }
+}
+
+static void leave(lengthen_run *l)
+{
+    hand *w = l->see->w;
+    hand_open(w, OPENING);
+    if (l->since > 0.3) {
+        hand_go(w, v_along(l->carrot, OFF, v3(0.0, 0.0, 1.0)), COMING);
+    }
+    if (l->since > 1.2) {
+        enter(l, LENGTHEN_DONE);
+    }
+}
+
+void lengthen_step(lengthen_run *l, double dt)
+{
+    const site *at = &l->pull->stitch->site;
+    l->since += dt;
+    l->pull->tail = pull_tail(l->pull->stitch);
+    hold_steer(l->see->c, &l->pull->held, &l->needle, GIVING);
+    switch (l->state) {
+    case LENGTHEN_SLACK:
+        if (hold_off(at, &l->needle) < 3e-3 || l->since > 2.0) {
+            catch_begin(&l->grip, l->see, l->see->w, place(l), OPENING, COMING);
+            l->grip.minds = MINDS;
+            enter(l, LENGTHEN_TAKE);
+        }
+        break;
+    case LENGTHEN_TAKE:
+        take(l, dt);
+        break;
+    case LENGTHEN_DRAW:
+        draw(l, dt);
+        break;
+    case LENGTHEN_EASE:
+        ease(l, dt);
+        break;
+    case LENGTHEN_LEAVE:
+        leave(l);
+        break;
+    default:
+        break;
+    }
+    if (l->since > PATIENCE) {
+        enter(l, LENGTHEN_FAILED);
+    }
+}
