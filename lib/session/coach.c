@@ -29,7 +29,7 @@ static double useful_turns(const session_object *s, uint32_t loop, bool grasps)
 static void store_turns(session_object *s, bool grasps, double turns)
 {
     session_coach *c = &s->coach;
-    bool is_tied = s->throw_count > s->seated_count || s->throw_count > c->throw_count;
+    bool is_tied = vbss_session_has_to_seat(s) || s->throw_count > c->throw_count;
     bool lengthens = vbss_session_current_goal(s).goal == VBSS_SESSION_GOAL_LENGTHEN_TAIL;
     if (grasps || is_tied) {
         c->grasped_turns = is_tied || lengthens ? SESSION_NOT_JUDGED : turns;
@@ -80,14 +80,16 @@ void vbss_session_update_coach(session_object *s, const session_observation *obs
 
 /* ---- what hosts see */
 
-/* The observation of the last step is not part of a saved state. */
-static void describe(const session_object *s, session_goal goal, vbss_session_coaching *coaching)
+/* The observation of the last step is not part of a saved state. Returns whether the throw is to be pulled from behind. */
+static bool describe(const session_object *s, session_goal goal, vbss_session_coaching *coaching)
 {
     session_observation observed;
     vbss_session_observe(s, &observed);
     if (!observed.has_lost_body) {
         vbss_session_describe_goal(s, &observed, goal, coaching);
     }
+    return !observed.has_lost_body && goal.goal == VBSS_SESSION_GOAL_SEAT &&
+           vbss_session_pulls_from_behind(s, &observed, goal.tool);
 }
 
 void vbss_session_fill_coaching(const session_object *s, vbss_session_coaching *coaching)
@@ -100,16 +102,19 @@ void vbss_session_fill_coaching(const session_object *s, vbss_session_coaching *
     coaching->mistake = vbss_session_shown_mistake(s);
     coaching->is_mendable = vbss_session_is_mendable(s, coaching->mistake);
     coaching->mistake_sentence = vbss_session_mistake_string(coaching->mistake);
-    coaching->remedy = vbss_session_remedy_string(coaching->mistake);
+    bool builds_on =
+        coaching->mistake == VBSS_SESSION_MISTAKE_SLIT_OPENED && vbss_session_builds_on(s);
+    coaching->remedy =
+        builds_on ? vbss_session_building_remedy() : vbss_session_remedy_string(coaching->mistake);
     coaching->mistakes = c->open;
     coaching->goal_time = s->time - c->goal_since;
     coaching->mistake_time = coaching->mistake != 0 ? c->begun[coaching->mistake] : 0.0;
-    if (goal.goal != VBSS_SESSION_GOAL_NONE) {
-        describe(s, goal, coaching);
-    }
+    bool from_behind = goal.goal != VBSS_SESSION_GOAL_NONE && describe(s, goal, coaching);
     bool is_over = (goal.tool == VBSS_METRICS_TOOL_RIGHT) == (vbss_session_wanted_sign(s) > 0.0);
-    coaching->sentence =
-        vbss_session_goal_sentence(goal, coaching->number, vbss_session_wanted_wraps(s), is_over);
+    coaching->sentence = from_behind
+                             ? vbss_session_crossing_sentence(goal.tool)
+                             : vbss_session_goal_sentence(goal, coaching->number,
+                                                          vbss_session_wanted_wraps(s), is_over);
 }
 
 /* ---- state */

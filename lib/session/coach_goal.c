@@ -142,7 +142,7 @@ static session_goal find_goal_of_throw(const session_object *s, const session_ob
     double wound =
         is_current(s, VBSS_SESSION_GOAL_DRAW_TAIL) ? SESSION_THROUGH_TURNS : SESSION_WOUND_TURNS;
     bool draws = observed->tools[loop].has_tail && fabs(s->coach.turns[loop]) > wound;
-    if (s->throw_count > s->seated_count && !draws) {
+    if (vbss_session_has_to_seat(s) && !draws) {
         return holds_thread ? make_goal(VBSS_SESSION_GOAL_SEAT, loop)
                             : make_goal(VBSS_SESSION_GOAL_TAKE_TAIL, loop);
     }

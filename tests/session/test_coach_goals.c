@@ -183,6 +183,7 @@ static void throw_goals_follow_the_thread(void **state)
     run(&r);
     rig_expect_goal(&r, VBSS_SESSION_GOAL_DRAW_TAIL, VBSS_METRICS_TOOL_RIGHT);
     rig_wind(&r, RIG_RIGHT, 0.0, 0);
+    rig_set_throw(&r, 1, 1, 1, VBSS_METRICS_RELATION_SQUARE);
     run(&r);
     rig_expect_goal(&r, VBSS_SESSION_GOAL_SEAT, VBSS_METRICS_TOOL_RIGHT);
     rig_pull(&r, 1.0, 3e-4);
@@ -207,6 +208,130 @@ static void later_throw_is_wound_for_a_square(void **state)
     run(&r);
     rig_expect_goal(&r, VBSS_SESSION_GOAL_WIND, VBSS_METRICS_TOOL_LEFT);
     assert_non_null(strstr(rig_coaching(&r).sentence, "underneath, away"));
+    rig_end(&r);
+}
+
+/* The first throw is seated and its tail let go: the left hand has to take the needle. */
+static void to_hand_over(rig *r)
+{
+    rig_begin_coached(r);
+    rig_to_tail(r);
+    rig_to_throw(r, 0, RIG_RIGHT);
+    rig_let_go(r, RIG_LEFT);
+    run(r);
+    rig_expect_goal(r, VBSS_SESSION_GOAL_HAND_OVER, VBSS_METRICS_TOOL_LEFT);
+}
+
+static void take_needle_over(rig *r)
+{
+    rig_take(r, RIG_LEFT);
+    rig_drop(r, RIG_RIGHT);
+    run(r);
+}
+
+/* While a hand has the tail it pulls once more; after that a sprung throw is left, and the next one, wound for a square, closes the slit. */
+static void opened_slit_is_left_to_the_next_throw(void **state)
+{
+    (void)state;
+    rig r;
+    to_hand_over(&r);
+    const double sign = vbss_session_wanted_sign(r.s);
+    rig_pull(&r, 0.0, 2e-3);
+    run(&r);
+    assert_int_equal(r.s->seated_count, 0);
+    rig_expect_goal(&r, VBSS_SESSION_GOAL_HAND_OVER, VBSS_METRICS_TOOL_LEFT);
+    rig_hold_thread(&r, RIG_LEFT, 4e-3);
+    run(&r);
+    rig_expect_goal(&r, VBSS_SESSION_GOAL_SEAT, VBSS_METRICS_TOOL_LEFT);
+    assert_non_null(strstr(rig_coaching(&r).remedy, "once more"));
+    rig_let_go(&r, RIG_LEFT);
+    run(&r);
+    take_needle_over(&r);
+    rig_expect_goal(&r, VBSS_SESSION_GOAL_WIND, VBSS_METRICS_TOOL_LEFT);
+    assert_int_equal(rig_coaching(&r).number, 1);
+    expect_near(1.25, rig_coaching(&r).turns, 1e-12);
+    assert_true(vbss_session_wanted_sign(r.s) == sign);
+    assert_int_equal(rig_coaching(&r).mistake, VBSS_SESSION_MISTAKE_SLIT_OPENED);
+    assert_non_null(strstr(rig_coaching(&r).remedy, "next throw"));
+    rig_wind(&r, RIG_RIGHT, 1.3 * sign, 1);
+    run(&r);
+    rig_expect_goal(&r, VBSS_SESSION_GOAL_TAKE_TAIL, VBSS_METRICS_TOOL_RIGHT);
+    rig_hold_thread(&r, RIG_RIGHT, 4e-3);
+    run(&r);
+    rig_expect_goal(&r, VBSS_SESSION_GOAL_DRAW_TAIL, VBSS_METRICS_TOOL_RIGHT);
+    rig_wind(&r, RIG_RIGHT, 0.0, 0); /* through, and not tied yet */
+    run(&r);
+    rig_expect_goal(&r, VBSS_SESSION_GOAL_DRAW_TAIL, VBSS_METRICS_TOOL_RIGHT);
+    rig_set_throw(&r, 1, 1, -r.s->throws[0].value.handedness, VBSS_METRICS_RELATION_SQUARE);
+    run(&r);
+    assert_int_equal(r.s->seated_count, 1);
+    rig_expect_goal(&r, VBSS_SESSION_GOAL_SEAT, VBSS_METRICS_TOOL_RIGHT);
+    assert_int_equal(rig_coaching(&r).mistake, VBSS_SESSION_MISTAKE_NONE);
+    rig_end(&r);
+}
+
+/* Whether the hand with the tail is to pull to the other hand's side; `apart`: its tip from the other one's toward its own side, m. */
+static bool is_pulled_from_behind(const rig *r, double apart, double tension, double gap)
+{
+    session_observation seen;
+    vbss_session_coaching c;
+    const session_goal goal = vbss_session_current_goal(r->s);
+    vbss_session_observe(r->s, &seen);
+    seen.tension[0] = seen.tension[1] = tension;
+    seen.signed_gap = gap;
+    assert_int_equal(goal.goal, VBSS_SESSION_GOAL_SEAT);
+    const scene_drain_info d =
+        vbss_scene_inspect_drain(vbss_scene_inspect_body(r->s->scene, r->s->config.drain).drain);
+    const vec3 own =
+        vec3_unit_or(vec3_sub(d.positions[d.marks[goal.tool]], d.positions[d.marks[1 - goal.tool]]),
+                     vec3_zero());
+    seen.tools[goal.tool].tip = vec3_scale(own, 0.5 * apart);
+    seen.tools[1 - goal.tool].tip = vec3_scale(own, -0.5 * apart);
+    memset(&c, 0, sizeof c);
+    vbss_session_describe_goal(r->s, &seen, goal, &c);
+    const double toward = vec3_dot(own, vec3_load(c.direction));
+    assert_true(fabs(toward) > 0.9);
+    return toward < 0.0;
+}
+
+/* A slack throw over an open slit is pulled with the hands on each other's sides, and so on from there; one that bears tension is pulled
+ * flat. */
+static void open_slit_is_pulled_from_behind(void **state)
+{
+    (void)state;
+    rig r;
+    to_hand_over(&r);
+    take_needle_over(&r);
+    rig_wind(&r, RIG_RIGHT, 1.3 * vbss_session_wanted_sign(r.s), 1);
+    rig_hold_thread(&r, RIG_RIGHT, 4e-3);
+    run(&r);
+    rig_wind(&r, RIG_RIGHT, 0.0, 0);
+    rig_set_throw(&r, 1, 1, -r.s->throws[0].value.handedness, VBSS_METRICS_RELATION_SQUARE);
+    rig_pull(&r, 0.0, 3e-4);
+    run(&r);
+    assert_false(is_pulled_from_behind(&r, 0.04, 0.0, 3e-4));
+    assert_true(is_pulled_from_behind(&r, 0.04, 0.0, 1e-3));
+    assert_false(is_pulled_from_behind(&r, 0.04, 0.8, 1e-3));
+    assert_true(is_pulled_from_behind(&r, -0.04, 0.8, 1e-3));
+    assert_true(is_pulled_from_behind(&r, -0.04, 0.0, 3e-4));
+    rig_end(&r);
+}
+
+static void first_throw_is_pulled_flat(void **state)
+{
+    (void)state;
+    rig r;
+    rig_begin_coached(&r);
+    rig_to_tail(&r);
+    rig_wind(&r, RIG_LEFT, 2.3, 1);
+    rig_hold_thread(&r, RIG_LEFT, 4e-3);
+    run(&r);
+    rig_wind(&r, RIG_LEFT, 0.0, 0);
+    rig_set_throw(&r, 0, 2, -1, VBSS_METRICS_RELATION_FIRST);
+    rig_pull(&r, 0.0, 2e-3);
+    run(&r);
+    assert_false(is_pulled_from_behind(&r, 0.04, 0.0, 2e-3));
+    assert_false(is_pulled_from_behind(&r, -0.04, 0.0, 2e-3));
     rig_end(&r);
 }
 
@@ -360,6 +485,9 @@ int test_coach_goals(void)
         cmocka_unit_test(stitch_goals_follow_the_needle),
         cmocka_unit_test(throw_goals_follow_the_thread),
         cmocka_unit_test(later_throw_is_wound_for_a_square),
+        cmocka_unit_test(opened_slit_is_left_to_the_next_throw),
+        cmocka_unit_test(open_slit_is_pulled_from_behind),
+        cmocka_unit_test(first_throw_is_pulled_flat),
         cmocka_unit_test(place_to_wind_follows_the_limb),
         cmocka_unit_test(cut_goals_follow_the_tails),
         cmocka_unit_test(each_goal_is_one_event),

@@ -54,7 +54,7 @@ static bool follow(trainee *t, int side)
     case VBSS_SESSION_GOAL_RELEASE_NEEDLE:
         return lesson_leave(t, side) && lesson_park(t, side);
     case VBSS_SESSION_GOAL_RELEASE_TAIL:
-        return t->has_pulled ? lesson_release_tail(t, side) : lesson_leave(t, side);
+        return lesson_release_tail(t, side);
     case VBSS_SESSION_GOAL_DRAW_THREAD:
         return lesson_draw_thread(t, side);
     case VBSS_SESSION_GOAL_LENGTHEN_TAIL:
