@@ -395,6 +395,10 @@ static void cut_goals_follow_the_tails(void **state)
     rig r;
     rig_begin_coached(&r);
     rig_to_cut(&r);
+    rig_hold_thread(&r, RIG_LEFT, 4e-3);
+    run(&r);
+    rig_expect_goal(&r, VBSS_SESSION_GOAL_RELEASE_TAIL, VBSS_METRICS_TOOL_LEFT);
+    rig_let_go(&r, RIG_LEFT);
     run(&r);
     rig_expect_goal(&r, VBSS_SESSION_GOAL_TAKE_SHEARS, VBSS_METRICS_TOOL_LEFT);
     r.observation.tools[RIG_LEFT].is_shears = true;

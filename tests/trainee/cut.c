@@ -86,6 +86,11 @@ void lesson_cut(trainee *t)
                                             : THREAD_IN_BLADES;
             limb = s->coach.number;
             good = try_cut(t, side, depth);
+        } else if (s->coach.goal == VBSS_SESSION_GOAL_RELEASE_TAIL) {
+            good = lesson_release_tail(t, side);
+        } else if (s->coach.goal == VBSS_SESSION_GOAL_SEAT ||
+                   s->coach.goal == VBSS_SESSION_GOAL_TAKE_TAIL) {
+            break; /* the slit has opened */
         } else {
             good = trainee_wait(t, 20);
         }

@@ -12,12 +12,13 @@
 #define TOGETHER 8e-3 /* of one hand before the other follows */
 #define RISING 0.4    /* of the needle over the jaws, of its distance from them, at least */
 #define NEAREST 15e-3
-#define SWEPT 12e-3    /* of the tail from where it was seen, */
-#define OVER 20e-3     /* then the jaws go as high */
-#define GIVEN 15e-3    /* before the last part of it */
-#define SPARE 3e-3     /* of the limb on that path */
-#define MISSED 25e-3   /* of the jaws from a tail that they have closed beside, at most */
-#define STRIDE 60e-3   /* of the mouse when it winds */
+#define SWEPT 12e-3  /* of the tail from where it was seen, */
+#define OVER 20e-3   /* then the jaws go as high */
+#define GIVEN 15e-3  /* before the last part of it */
+#define SPARE 3e-3   /* of the limb on that path */
+#define MISSED 25e-3 /* of the jaws from a tail that they have closed beside, at most */
+#define STRIDE \
+    30e-3 /* of the mouse when it winds: a longer one pulls on with a limb that has become taut */
 #define WAITS 130      /* frames, when turns have come off */
 #define DRAWN 3e-3     /* of the tail at a time */
 #define SHORTER 1e-3   /* of its jaws to the slit, in each movement, */
@@ -357,7 +358,8 @@ bool lesson_release_tail(trainee *t, int loop)
         }
     }
     bool good = slacken(t, loop, t->has_pulled || stronger(t) > LOOSE ? PARTS : 0);
-    return is_goal(t, VBSS_SESSION_GOAL_RELEASE_TAIL) ? good && lesson_leave(t, loop) : good;
+    good = good && (!is_goal(t, VBSS_SESSION_GOAL_RELEASE_TAIL) || lesson_leave(t, loop));
+    return good && t->is_crossed && !trainee_see(t)->holds[loop] ? lesson_park(t, loop) : good;
 }
 
 bool lesson_throw_part(trainee *t)
