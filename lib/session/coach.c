@@ -80,16 +80,18 @@ void vbss_session_update_coach(session_object *s, const session_observation *obs
 
 /* ---- what hosts see */
 
-/* The observation of the last step is not part of a saved state. Returns whether the throw is to be pulled from behind. */
-static bool describe(const session_object *s, session_goal goal, vbss_session_coaching *coaching)
+/* The observation of the last step is not part of a saved state. Returns how a throw is to be pulled. */
+static session_pull describe(const session_object *s, session_goal goal,
+                             vbss_session_coaching *coaching)
 {
     session_observation observed;
     vbss_session_observe(s, &observed);
     if (!observed.has_lost_body) {
         vbss_session_describe_goal(s, &observed, goal, coaching);
     }
-    return !observed.has_lost_body && goal.goal == VBSS_SESSION_GOAL_SEAT &&
-           vbss_session_pulls_from_behind(s, &observed, goal.tool);
+    return !observed.has_lost_body && goal.goal == VBSS_SESSION_GOAL_SEAT
+               ? vbss_session_choose_pull(s, &observed, goal.tool)
+               : SESSION_PULL_FLAT;
 }
 
 void vbss_session_fill_coaching(const session_object *s, vbss_session_coaching *coaching)
@@ -109,10 +111,11 @@ void vbss_session_fill_coaching(const session_object *s, vbss_session_coaching *
     coaching->mistakes = c->open;
     coaching->goal_time = s->time - c->goal_since;
     coaching->mistake_time = coaching->mistake != 0 ? c->begun[coaching->mistake] : 0.0;
-    bool from_behind = goal.goal != VBSS_SESSION_GOAL_NONE && describe(s, goal, coaching);
+    session_pull pull =
+        goal.goal != VBSS_SESSION_GOAL_NONE ? describe(s, goal, coaching) : SESSION_PULL_FLAT;
     bool is_over = (goal.tool == VBSS_METRICS_TOOL_RIGHT) == (vbss_session_wanted_sign(s) > 0.0);
-    coaching->sentence = from_behind
-                             ? vbss_session_crossing_sentence(goal.tool)
+    coaching->sentence = pull != SESSION_PULL_FLAT
+                             ? vbss_session_crossing_sentence(pull, goal.tool)
                              : vbss_session_goal_sentence(goal, coaching->number,
                                                           vbss_session_wanted_wraps(s), is_over);
 }

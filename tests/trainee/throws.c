@@ -332,6 +332,12 @@ static bool seat(trainee *t, int loop, double home)
             }
             continue;
         }
+        if (t->is_crossed && c.direction[0] * side_of(loop) > 0.0) { /* it is closed */
+            if (!lesson_come_round(t, loop)) {
+                return false;
+            }
+            continue;
+        }
         double off = (t->is_crossed ? -side_of(loop) : side_of(loop)) * (slit.x - home);
         pull_plan p = choose_pull(t, c.force > 0.0 ? off : 0.0);
         if (c.length > 0.0 && weaker(t) > LARGEST) {
