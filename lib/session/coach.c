@@ -56,6 +56,12 @@ static void store_facts(session_object *s, const session_observation *observed)
     bool grasps = (holding & ~c->holding_thread & 1u << loop) != 0;
     store_turns(s, grasps, useful_turns(s, loop, grasps));
     c->holding_thread = holding;
+    if (s->throw_count > 0 && s->throw_count == s->seated_count &&
+        c->seated_count < s->seated_count) {
+        uint32_t newest = 1u << (s->throw_count - 1);
+        bool are_crossed = vbss_session_are_crossed(s, observed, loop);
+        c->from_behind = are_crossed ? c->from_behind | newest : c->from_behind & ~newest;
+    }
     c->throw_count = s->throw_count;
     c->seated_count = s->seated_count;
     c->has_entry = s->holes[SESSION_ENTRY].id != 0;
@@ -80,18 +86,16 @@ void vbss_session_update_coach(session_object *s, const session_observation *obs
 
 /* ---- what hosts see */
 
-/* The observation of the last step is not part of a saved state. Returns how a throw is to be pulled. */
-static session_pull describe(const session_object *s, session_goal goal,
-                             vbss_session_coaching *coaching)
+/* The observation of the last step is not part of a saved state. Returns whether a throw is to be pulled from behind. */
+static bool describe(const session_object *s, session_goal goal, vbss_session_coaching *coaching)
 {
     session_observation observed;
     vbss_session_observe(s, &observed);
     if (!observed.has_lost_body) {
         vbss_session_describe_goal(s, &observed, goal, coaching);
     }
-    return !observed.has_lost_body && goal.goal == VBSS_SESSION_GOAL_SEAT
-               ? vbss_session_choose_pull(s, &observed, goal.tool)
-               : SESSION_PULL_FLAT;
+    return !observed.has_lost_body && goal.goal == VBSS_SESSION_GOAL_SEAT &&
+           vbss_session_pulls_from_behind(s, &observed, goal.tool);
 }
 
 void vbss_session_fill_coaching(const session_object *s, vbss_session_coaching *coaching)
@@ -111,11 +115,10 @@ void vbss_session_fill_coaching(const session_object *s, vbss_session_coaching *
     coaching->mistakes = c->open;
     coaching->goal_time = s->time - c->goal_since;
     coaching->mistake_time = coaching->mistake != 0 ? c->begun[coaching->mistake] : 0.0;
-    session_pull pull =
-        goal.goal != VBSS_SESSION_GOAL_NONE ? describe(s, goal, coaching) : SESSION_PULL_FLAT;
+    bool from_behind = goal.goal != VBSS_SESSION_GOAL_NONE && describe(s, goal, coaching);
     bool is_over = (goal.tool == VBSS_METRICS_TOOL_RIGHT) == (vbss_session_wanted_sign(s) > 0.0);
-    coaching->sentence = pull != SESSION_PULL_FLAT
-                             ? vbss_session_crossing_sentence(pull, goal.tool)
+    coaching->sentence = from_behind
+                             ? vbss_session_crossing_sentence(goal.tool)
                              : vbss_session_goal_sentence(goal, coaching->number,
                                                           vbss_session_wanted_wraps(s), is_over);
 }
@@ -130,7 +133,7 @@ void vbss_session_visit_coach(vbss_stream *stream, session_object *s)
     vbss_stream_u64(stream, 80, &s->coach_event_count, 1);
     uint32_t *const words[] = {&c->goal.value,     &c->goal.candidate, &c->has_entry,
                                &c->entry_threaded, &c->holding_thread, &c->throw_count,
-                               &c->seated_count};
+                               &c->seated_count,   &c->from_behind};
     for (size_t i = 0; i < sizeof words / sizeof words[0]; i++) {
         vbss_stream_u32(stream, 81, words[i], 1);
     }

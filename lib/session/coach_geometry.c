@@ -380,27 +380,26 @@ static void describe_tail_drawing(const session_object *s, const session_observa
     c->turns = fabs(s->coach.turns[goal.tool]);
 }
 
-/* Pulled flat over an open slit a throw locks, and the slit stays open. Pulled from behind, where the throw below was pulled from, it runs
- * down and draws that one tight. Once it is closed, the hands come round again with both ends tense: eased before that it opens, and the
- * tail would lie on the wrong side for the next throw. */
-session_pull vbss_session_choose_pull(const session_object *s, const session_observation *observed,
-                                      uint32_t loop)
+bool vbss_session_are_crossed(const session_object *s, const session_observation *observed,
+                              uint32_t loop)
 {
     const task_frame f = read_frame(s, observed);
     vec3 apart = vec3_sub(observed->tools[loop].tip, observed->tools[1 - loop].tip);
+    return vec3_dot(apart, own_side(&f, loop)) < 0.0;
+}
+
+/* Pulled flat over an open slit a throw locks, and the slit stays open. Pulled from behind, where the throw below was pulled from, it runs
+ * down and draws that one tight. While the hands are there it goes on. If the throw below was pulled so, that is each hand's own side. */
+bool vbss_session_pulls_from_behind(const session_object *s, const session_observation *observed,
+                                    uint32_t loop)
+{
+    if (s->throw_count < 2 || (s->coach.from_behind >> (s->throw_count - 2) & 1u) != 0) {
+        return false;
+    }
     double stronger = vbss_max(observed->tension[0], observed->tension[1]);
-    if (s->throw_count < 2) {
-        return SESSION_PULL_FLAT;
-    }
-    if (vec3_dot(apart, own_side(&f, loop)) < 0.0) {
-        bool is_done = s->throw_count == s->seated_count;
-        return !is_done                              ? SESSION_PULL_BEHIND
-               : s->throw_count <= SESSION_TRANSFERS ? SESSION_PULL_ROUND
-                                                     : SESSION_PULL_FLAT;
-    }
-    bool is_open = stronger < SESSION_SLACK_TENSION &&
-                   observed->signed_gap > SESSION_OPEN_RATIO * s->config.seat_gap;
-    return is_open ? SESSION_PULL_BEHIND : SESSION_PULL_FLAT;
+    return vbss_session_are_crossed(s, observed, loop) ||
+           (stronger < SESSION_SLACK_TENSION &&
+            observed->signed_gap > SESSION_OPEN_RATIO * s->config.seat_gap);
 }
 
 static void describe_seat(const session_object *s, const session_observation *observed,
@@ -410,7 +409,7 @@ static void describe_seat(const session_object *s, const session_observation *ob
     c->number = s->throw_count - 1;
     set_point(c, f.slit);
     const vec3 own = own_side(&f, goal.tool);
-    bool from_behind = vbss_session_choose_pull(s, observed, goal.tool) == SESSION_PULL_BEHIND;
+    bool from_behind = vbss_session_pulls_from_behind(s, observed, goal.tool);
     set_direction(c, from_behind ? vec3_neg(own) : own);
     c->geometry |= (uint32_t)VBSS_SESSION_GEOMETRY_PULL;
     c->pull_force = SESSION_PULL_RATIO * s->config.seat_force;

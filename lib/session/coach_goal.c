@@ -102,8 +102,7 @@ static session_goal find_goal_of_transfer(const session_object *s,
 {
     uint32_t to = vbss_session_taking_hand(s), from = 1 - to;
     if (observed->tools[to].held_arc >= 0.0) {
-        bool comes_round = vbss_session_choose_pull(s, observed, to) == SESSION_PULL_ROUND;
-        return make_goal(comes_round ? VBSS_SESSION_GOAL_SEAT : VBSS_SESSION_GOAL_RELEASE_TAIL, to);
+        return make_goal(VBSS_SESSION_GOAL_RELEASE_TAIL, to);
     }
     if (s->holding_tools.value == 3) {
         return make_goal(VBSS_SESSION_GOAL_RELEASE_NEEDLE, from);

@@ -85,22 +85,17 @@ const char *vbss_session_goal_sentence(session_goal goal, uint32_t number, uint3
     return goal.goal == VBSS_SESSION_GOAL_CUT ? cuts[number % 2] : goals[goal.goal][goal.tool];
 }
 
-static const char *const crossings[2][2] = {
-    {"The slit is open. With both ends slack, take the left tool to the right along the near side, "
-     "and the right one to the left along the far side; then pull both ends, low and equally hard, "
-     "until it is closed.",
-     "The slit is open. With both ends slack, take the right tool to the left along the near side, "
-     "and the left one to the right along the far side; then pull both ends, low and equally hard, "
-     "until it is closed."},
-    {"The slit is closed. With both ends tense, bring the left tool back to its own side along the "
-     "near side, and the right one along the far side, in turns and little by little.",
-     "The slit is closed. With both ends tense, bring the right tool back to its own side along "
-     "the "
-     "near side, and the left one along the far side, in turns and little by little."}};
+static const char *const crossings[2] = {
+    "The slit is open. With both ends slack, take the left tool to the right along the near side, "
+    "and the right one to the left along the far side; then pull both ends, low and equally hard, "
+    "until it is closed.",
+    "The slit is open. With both ends slack, take the right tool to the left along the near side, "
+    "and the left one to the right along the far side; then pull both ends, low and equally hard, "
+    "until it is closed."};
 
-const char *vbss_session_crossing_sentence(session_pull pull, uint32_t loop)
+const char *vbss_session_crossing_sentence(uint32_t loop)
 {
-    return crossings[pull == SESSION_PULL_ROUND][loop % SESSION_HANDS];
+    return crossings[loop % SESSION_HANDS];
 }
 
 const char *vbss_session_building_remedy(void)

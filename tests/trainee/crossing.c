@@ -8,12 +8,8 @@
 #define LOW 4e-3     /* m over the slit, of the tail's hand, */
 #define HIGH 25e-3   /* of the needle's hand on its path, */
 #define LOWERED 8e-3 /* and at its end */
-#define OVER 4e-3    /* of both hands as they come round with tense ends */
-#define LIGHT 0.5    /* N, of an end: a little more, */
-#define HEAVY 1.5    /* and a little less */
-#define MORE 1e-3    /* m, outward */
 
-enum { PARTS = 4, TENSE_PARTS = 20 };
+enum { PARTS = 4 };
 
 static const double pi = 3.14159265358979;
 
@@ -53,59 +49,4 @@ bool lesson_cross_hands(trainee *t, int loop)
     t->is_crossed = true;
     trainee_say(t, "hands crossed");
     return good;
-}
-
-/* ---- and round again, with both ends tense */
-
-/* Keeps the tension of an end: outward or inward. */
-static bool hold_tension(trainee *t, int which, int end)
-{
-    double tension = trainee_see(t)->tension[end];
-    double more = tension < LIGHT ? MORE : tension > HEAVY ? -MORE : 0.0;
-    vec out = v_sub(trainee_see(t)->tip[which], t->slit);
-    return more == 0.0 || trainee_move(t, which, v_scale(more, v_unit(v3(out.x, out.y, 0.0))));
-}
-
-/* A part of the half round, about the slit as it is seen, at the hand's distance from it. */
-static bool go_part(trainee *t, int which, double turn)
-{
-    vec out = v_sub(trainee_see(t)->tip[which], t->slit);
-    vec to = v3(out.x * cos(turn) - out.y * sin(turn), out.x * sin(turn) + out.y * cos(turn),
-                out.z < OVER ? OVER : out.z);
-    return trainee_move(t, which, v_sub(to, out));
-}
-
-static bool has_come_round(const trainee *t, int loop)
-{
-    double own = loop == LEFT ? -1.0 : 1.0;
-    vec tail = v_sub(trainee_see(t)->tip[loop], t->slit),
-        limb = v_sub(trainee_see(t)->tip[1 - loop], t->slit);
-    return own * tail.x > 0.0 && own * limb.x < 0.0 && fabs(tail.y) < 0.15 * fabs(tail.x) &&
-           fabs(limb.y) < 0.15 * fabs(limb.x);
-}
-
-/* What is left to turn until a hand is on its own side, a part of the half round at most. */
-static double left_to_turn(const trainee *t, int which, double own, double turn)
-{
-    vec out = v_sub(trainee_see(t)->tip[which], t->slit);
-    double left = atan2(-own * out.y, own * out.x);
-    left = turn > 0.0 && left < -0.5 * pi ? left + 2.0 * pi : left;
-    left = turn < 0.0 && left > 0.5 * pi ? left - 2.0 * pi : left;
-    return fabs(left) < fabs(turn) || left * turn < 0.0 ? left : turn;
-}
-
-bool lesson_come_round(trainee *t, int loop)
-{
-    double side = loop == LEFT ? -1.0 : 1.0, turn = side * pi / TENSE_PARTS;
-    for (int i = 0; i < TENSE_PARTS + 4 && !has_come_round(t, loop); i++) {
-        t->slit = v_load(trainee_see(t)->coach.point);
-        if (!go_part(t, 1 - loop, left_to_turn(t, 1 - loop, -side, turn)) ||
-            !go_part(t, loop, left_to_turn(t, loop, side, turn)) || !hold_tension(t, loop, 0) ||
-            !hold_tension(t, 1 - loop, 1)) {
-            return false;
-        }
-        trainee_say(t, "comes round");
-    }
-    t->is_crossed = false;
-    return true;
 }

@@ -33,7 +33,8 @@
 #define ENOUGH 1.2     /* N, of both ends: pulled harder, the slit opens again */
 #define GENTLE 0.8e-3  /* of each hand at a time in the end */
 #define SLACKENED 1e-3 /* of each hand at a time before the tail is let go, */
-#define LOOSE 0.1      /* N, of both ends then */
+#define LOCKED 0.6     /* N, of both ends then: so much the stitch itself may hold */
+#define LOOSE 0.1      /* N, of an end that does not pull */
 #define HANGS 1.0      /* N, of both ends while the tail is drawn: a turn hangs on the jaws */
 #define NUDGED 1e-3    /* of the tail at a time then */
 #define OFF 1.5e-3     /* of the slit from its place */
@@ -43,7 +44,7 @@
 #define HALF_TURN 3.14159265358979
 
 enum {
-    PARTS = 6,
+    PARTS = 16,
     AGAIN = 2
 }; /* of slackening, before the tail is let go, and before a further pull */
 
@@ -151,6 +152,8 @@ static vec toward_tail(const trainee *t, int loop)
     vec inward = v_load(trainee_see(t)->coach.direction);
     vec out = v3(-inward.x, -inward.y, 0.0);
     out = v_length(out) < 0.5 ? v3(-side_of(loop), 0.2, 0.0) : v_unit(out);
+    out = out.x * side_of(loop) > 0.0 ? v_scale(-1.0, out)
+                                      : out; /* jaws that turn round lose the turns */
     return v_unit(v_add(v_scale(0.6, out), v3(0.0, 0.0, -0.8)));
 }
 
@@ -245,6 +248,7 @@ static bool draw_tail(trainee *t, int loop)
     double radius = sqrt(arm.x * arm.x + arm.z * arm.z), angle = atan2(arm.z, side * arm.x);
     angle += angle < -0.5 * HALF_TURN ? 2.0 * HALF_TURN : 0.0;
     double full = radius;
+    const bool is_beside = angle < 0.25 * HALF_TURN; /* the tail is on its own side already */
     t->slit = slit;
     t->has_pulled = t->is_crossed = false;
     for (int i = 0; i < 60 && is_goal(t, VBSS_SESSION_GOAL_DRAW_TAIL); i++) {
@@ -252,7 +256,8 @@ static bool draw_tail(trainee *t, int loop)
             turned =
                 trainee_turn(t, loop, v3(-side, 0.0, 0.0)); /* or the last turn hangs on them */
         }
-        if (!later && angle <= 0.0 && trainee_see(t)->tension[1] < LIGHT && i % 2 == 0) {
+        if ((!later || is_beside) && angle <= 0.0 && trainee_see(t)->tension[1] < LIGHT &&
+            (is_beside || i % 2 == 0)) {
             if (!take_up(t, loop, slit)) {
                 return false;
             }
@@ -312,7 +317,7 @@ static bool slacken(trainee *t, int loop, int parts)
                 return false;
             }
         }
-        more -= stronger(t) < LOOSE ? 1 : 0;
+        more -= stronger(t) < LOCKED ? 1 : 0;
         trainee_say(t, "slackened");
     }
     return true;
@@ -328,12 +333,6 @@ static bool seat(trainee *t, int loop, double home)
         t->slit = slit;
         if (!t->is_crossed && c.direction[0] * side_of(loop) < 0.0) {
             if (!lesson_cross_hands(t, loop)) {
-                return false;
-            }
-            continue;
-        }
-        if (t->is_crossed && c.direction[0] * side_of(loop) > 0.0) { /* it is closed */
-            if (!lesson_come_round(t, loop)) {
                 return false;
             }
             continue;
@@ -364,8 +363,7 @@ bool lesson_release_tail(trainee *t, int loop)
         }
     }
     bool good = slacken(t, loop, t->has_pulled || stronger(t) > LOOSE ? PARTS : 0);
-    good = good && (!is_goal(t, VBSS_SESSION_GOAL_RELEASE_TAIL) || lesson_leave(t, loop));
-    return good && t->is_crossed && !trainee_see(t)->holds[loop] ? lesson_park(t, loop) : good;
+    return is_goal(t, VBSS_SESSION_GOAL_RELEASE_TAIL) ? good && lesson_leave(t, loop) : good;
 }
 
 bool lesson_throw_part(trainee *t)

@@ -92,7 +92,6 @@ bool lesson_release_tail(trainee *t, int loop);
 
 /* crossing.c */
 bool lesson_cross_hands(trainee *t, int loop);
-bool lesson_come_round(trainee *t, int loop);
 
 /* ---- stitching.c: the needle in the whole task; false: the task has ended */
 
