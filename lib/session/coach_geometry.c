@@ -398,7 +398,7 @@ bool vbss_session_pulls_from_behind(const session_object *s, const session_obser
     }
     double stronger = vbss_max(observed->tension[0], observed->tension[1]);
     return vbss_session_are_crossed(s, observed, loop) ||
-           (stronger < SESSION_SLACK_TENSION &&
+           (stronger < SESSION_TIGHT_RATIO * s->config.seat_force &&
             observed->signed_gap > SESSION_OPEN_RATIO * s->config.seat_gap);
 }
 
