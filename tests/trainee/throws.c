@@ -40,7 +40,9 @@
 #define OFF 1.5e-3     /* of the slit from its place */
 #define LARGEST 2.5    /* N, of both ends */
 #define HARD 1.0       /* N, of an end */
+#define HARD_LATER 0.3 /* of a later throw */
 #define UNLIKE 1.5     /* times the other end's tension */
+#define ASIDE 5e-3     /* of the tail beyond the slit */
 #define HALF_TURN 3.14159265358979
 
 enum {
@@ -237,8 +239,11 @@ static bool draw_tail(trainee *t, int loop)
     bool turned = false;
     /* Taking up the limb, or shortening the tail, would open the throw below. */
     const bool later = is_later(t);
-    vec slit = point_of(t), over = v_add(slit, later ? v3(-15e-3 * side, 10e-3, 30e-3)
-                                                     : v3(-28e-3 * side, 15e-3, 30e-3));
+    vec slit = point_of(t);
+    /* Not where the other hand has a tail that stands up. */
+    double aside = trainee_see(t)->tip[loop].y > slit.y + ASIDE ? -15e-3 : 10e-3;
+    vec over =
+        v_add(slit, later ? v3(-15e-3 * side, aside, 30e-3) : v3(-28e-3 * side, 15e-3, 30e-3));
     vec beside = trainee_see(t)->tip[1 - loop];
     beside.z = fmax(beside.z, over.z); /* the needle comes over the drain, not through it */
     if (!trainee_go(t, 1 - loop, beside, 5e-3) || !trainee_go(t, 1 - loop, over, 5e-3)) {
@@ -285,7 +290,9 @@ typedef struct pull_plan {
 static pull_plan choose_pull(const trainee *t, double off)
 {
     const double *n = trainee_see(t)->tension;
-    bool limb = n[1] > HARD && n[1] > UNLIKE * n[0], tail = n[0] > HARD && n[0] > UNLIKE * n[1];
+    /* A throw on another one locks under an end that pulls alone. */
+    const double hard = is_later(t) ? HARD_LATER : HARD;
+    bool limb = n[1] > hard && n[1] > UNLIKE * n[0], tail = n[0] > hard && n[0] > UNLIKE * n[1];
     /* An end that is slack has not drawn the slit along. */
     return limb || tail ? (pull_plan){limb, tail}
                         : (pull_plan){off < -OFF && n[1] > LOOSE, off > OFF && n[0] > LOOSE};
