@@ -86,16 +86,20 @@ void vbss_session_update_coach(session_object *s, const session_observation *obs
 
 /* ---- what hosts see */
 
-/* The observation of the last step is not part of a saved state. Returns whether a throw is to be pulled from behind. */
-static bool describe(const session_object *s, session_goal goal, vbss_session_coaching *coaching)
+/* The observation of the last step is not part of a saved state. */
+static void describe(const session_object *s, session_goal goal, vbss_session_coaching *coaching)
 {
     session_observation observed;
     vbss_session_observe(s, &observed);
-    if (!observed.has_lost_body) {
-        vbss_session_describe_goal(s, &observed, goal, coaching);
+    if (observed.has_lost_body) {
+        return;
     }
-    return !observed.has_lost_body && goal.goal == VBSS_SESSION_GOAL_SEAT &&
-           vbss_session_pulls_from_behind(s, &observed, goal.tool);
+    vbss_session_describe_goal(s, &observed, goal, coaching);
+    if (goal.goal == VBSS_SESSION_GOAL_SEAT &&
+        vbss_session_pulls_from_behind(s, &observed, goal.tool)) {
+        coaching->sentence = vbss_session_crossing_sentence(
+            goal.tool, vbss_session_are_crossed(s, &observed, goal.tool));
+    }
 }
 
 void vbss_session_fill_coaching(const session_object *s, vbss_session_coaching *coaching)
@@ -115,12 +119,14 @@ void vbss_session_fill_coaching(const session_object *s, vbss_session_coaching *
     coaching->mistakes = c->open;
     coaching->goal_time = s->time - c->goal_since;
     coaching->mistake_time = coaching->mistake != 0 ? c->begun[coaching->mistake] : 0.0;
-    bool from_behind = goal.goal != VBSS_SESSION_GOAL_NONE && describe(s, goal, coaching);
+    if (goal.goal != VBSS_SESSION_GOAL_NONE) {
+        describe(s, goal, coaching);
+    }
     bool is_over = (goal.tool == VBSS_METRICS_TOOL_RIGHT) == (vbss_session_wanted_sign(s) > 0.0);
-    coaching->sentence = from_behind
-                             ? vbss_session_crossing_sentence(goal.tool)
-                             : vbss_session_goal_sentence(goal, coaching->number,
-                                                          vbss_session_wanted_wraps(s), is_over);
+    if (coaching->sentence == NULL) {
+        coaching->sentence = vbss_session_goal_sentence(goal, coaching->number,
+                                                        vbss_session_wanted_wraps(s), is_over);
+    }
 }
 
 /* ---- state */

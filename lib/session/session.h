@@ -523,7 +523,7 @@ bool vbss_session_is_mendable(const session_object *s, vbss_session_mistake mist
 /* ---- coach_words.c */
 
 /* Of a throw that is pulled from behind, by the hand that has the tail; of a slit that the next throw is to close. */
-const char *vbss_session_crossing_sentence(uint32_t loop);
+const char *vbss_session_crossing_sentence(uint32_t loop, bool are_crossed);
 const char *vbss_session_building_remedy(void);
 /* A constant string, never NULL. WIND: `wraps`, 1 or 2; `is_over`: over the top of the other tool first. */
 const char *vbss_session_goal_sentence(session_goal goal, uint32_t number, uint32_t wraps,
