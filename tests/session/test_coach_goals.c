@@ -270,6 +270,15 @@ static void opened_slit_is_left_to_the_next_throw(void **state)
     rig_end(&r);
 }
 
+/* Unit vector to the side of a hand. */
+static vec3 own_side(const rig *r, uint32_t hand)
+{
+    const scene_drain_info d =
+        vbss_scene_inspect_drain(vbss_scene_inspect_body(r->s->scene, r->s->config.drain).drain);
+    return vec3_unit_or(vec3_sub(d.positions[d.marks[hand]], d.positions[d.marks[1 - hand]]),
+                        vec3_zero());
+}
+
 /* Whether the hand with the tail is to pull to the other hand's side; `apart`: its tip from the other one's toward its own side, m. */
 static bool is_pulled_from_behind(const rig *r, double apart, double tension, double gap)
 {
@@ -280,11 +289,7 @@ static bool is_pulled_from_behind(const rig *r, double apart, double tension, do
     seen.tension[0] = seen.tension[1] = tension;
     seen.signed_gap = gap;
     assert_int_equal(goal.goal, VBSS_SESSION_GOAL_SEAT);
-    const scene_drain_info d =
-        vbss_scene_inspect_drain(vbss_scene_inspect_body(r->s->scene, r->s->config.drain).drain);
-    const vec3 own =
-        vec3_unit_or(vec3_sub(d.positions[d.marks[goal.tool]], d.positions[d.marks[1 - goal.tool]]),
-                     vec3_zero());
+    const vec3 own = own_side(r, goal.tool);
     seen.tools[goal.tool].tip = vec3_scale(own, 0.5 * apart);
     seen.tools[1 - goal.tool].tip = vec3_scale(own, -0.5 * apart);
     memset(&c, 0, sizeof c);
@@ -294,21 +299,28 @@ static bool is_pulled_from_behind(const rig *r, double apart, double tension, do
     return toward < 0.0;
 }
 
+/* The second throw is tied, and the right hand has its tail. */
+static void to_second_seat(rig *r)
+{
+    to_hand_over(r);
+    take_needle_over(r);
+    rig_wind(r, RIG_RIGHT, 1.3 * vbss_session_wanted_sign(r->s), 1);
+    rig_hold_thread(r, RIG_RIGHT, 4e-3);
+    run(r);
+    rig_wind(r, RIG_RIGHT, 0.0, 0);
+    rig_set_throw(r, 1, 1, -r->s->throws[0].value.handedness, VBSS_METRICS_RELATION_SQUARE);
+    rig_pull(r, 0.0, 1e-3);
+    run(r);
+    rig_expect_goal(r, VBSS_SESSION_GOAL_SEAT, VBSS_METRICS_TOOL_RIGHT);
+}
+
 /* A slack throw over an open slit is pulled with the hands on each other's sides, and so on from there; one that bears tension is pulled
  * flat. */
 static void open_slit_is_pulled_from_behind(void **state)
 {
     (void)state;
     rig r;
-    to_hand_over(&r);
-    take_needle_over(&r);
-    rig_wind(&r, RIG_RIGHT, 1.3 * vbss_session_wanted_sign(r.s), 1);
-    rig_hold_thread(&r, RIG_RIGHT, 4e-3);
-    run(&r);
-    rig_wind(&r, RIG_RIGHT, 0.0, 0);
-    rig_set_throw(&r, 1, 1, -r.s->throws[0].value.handedness, VBSS_METRICS_RELATION_SQUARE);
-    rig_pull(&r, 0.0, 3e-4);
-    run(&r);
+    to_second_seat(&r);
     assert_false(is_pulled_from_behind(&r, 0.04, 0.0, 3e-4));
     assert_true(is_pulled_from_behind(&r, 0.04, 0.2, 4.5e-4)); /* the stitch itself holds so much */
     assert_false(is_pulled_from_behind(&r, 0.04, 0.3, 4.5e-4));
@@ -320,6 +332,29 @@ static void open_slit_is_pulled_from_behind(void **state)
     assert_false(is_pulled_from_behind(&r, 0.04, 0.0, 1e-3));
     assert_false(is_pulled_from_behind(&r, -0.04, 0.8, 1e-3));
     rig_end(&r);
+}
+
+/* The coach keeps which throws were closed from behind. */
+static void sides_of_a_seat_are_kept(void **state)
+{
+    (void)state;
+    for (int crossed = 0; crossed < 2; crossed++) {
+        rig r;
+        to_second_seat(&r);
+        /* The frame of the coach is that of the scene's drain and of the lips that are seen. */
+        session_observation seen;
+        vbss_session_observe(r.s, &seen);
+        memcpy(r.observation.lips, seen.lips, sizeof seen.lips);
+        r.observation.into_tissue = seen.into_tissue;
+        const vec3 own = vec3_scale(own_side(&r, RIG_RIGHT), crossed != 0 ? -0.02 : 0.02);
+        r.observation.tools[RIG_RIGHT].tip = own;
+        r.observation.tools[RIG_LEFT].tip = vec3_neg(own);
+        rig_pull(&r, 1.0, 3e-4);
+        run(&r);
+        rig_expect_goal(&r, VBSS_SESSION_GOAL_RELEASE_TAIL, VBSS_METRICS_TOOL_RIGHT);
+        assert_int_equal(r.s->coach.from_behind >> 1 & 1u, crossed);
+        rig_end(&r);
+    }
 }
 
 static void first_throw_is_pulled_flat(void **state)
@@ -496,6 +531,7 @@ int test_coach_goals(void)
         cmocka_unit_test(later_throw_is_wound_for_a_square),
         cmocka_unit_test(opened_slit_is_left_to_the_next_throw),
         cmocka_unit_test(open_slit_is_pulled_from_behind),
+        cmocka_unit_test(sides_of_a_seat_are_kept),
         cmocka_unit_test(first_throw_is_pulled_flat),
         cmocka_unit_test(place_to_wind_follows_the_limb),
         cmocka_unit_test(cut_goals_follow_the_tails),
