@@ -321,16 +321,16 @@ static void open_slit_is_pulled_from_behind(void **state)
     (void)state;
     rig r;
     to_second_seat(&r);
-    assert_false(is_pulled_from_behind(&r, 0.04, 0.0, 3e-4));
-    assert_true(is_pulled_from_behind(&r, 0.04, 0.2, 4.5e-4)); /* the stitch itself holds so much */
-    assert_false(is_pulled_from_behind(&r, 0.04, 0.3, 4.5e-4));
+    assert_false(is_pulled_from_behind(&r, 0.04, 0.0, 9e-4));
+    assert_true(is_pulled_from_behind(&r, 0.04, 0.2, 1.1e-3)); /* the stitch itself holds so much */
+    assert_false(is_pulled_from_behind(&r, 0.04, 0.3, 1.1e-3));
     assert_true(is_pulled_from_behind(&r, -0.04, 0.8, 3e-4));
-    assert_true(is_pulled_from_behind(&r, -0.04, 0.3, 1e-3));
+    assert_true(is_pulled_from_behind(&r, -0.04, 0.3, 1.1e-3));
     assert_false(is_pulled_from_behind(&r, -0.04, 0.0, 3e-4)); /* just drawn, and closed */
     r.s->coach.from_behind =
         1u; /* the throw below was pulled so: its ends lie on the other sides */
-    assert_false(is_pulled_from_behind(&r, 0.04, 0.0, 1e-3));
-    assert_false(is_pulled_from_behind(&r, -0.04, 0.8, 1e-3));
+    assert_false(is_pulled_from_behind(&r, 0.04, 0.0, 1.1e-3));
+    assert_false(is_pulled_from_behind(&r, -0.04, 0.8, 1.1e-3));
     rig_end(&r);
 }
 
