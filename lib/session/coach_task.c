@@ -11,15 +11,13 @@ uint32_t vbss_session_limb_hand(const session_object *s)
     return hand == NO_HAND ? VBSS_METRICS_TOOL_RIGHT : hand;
 }
 
-/* The slit gapes under the newest throw, which was seated, and its tail has been let go since, or the needle has changed hands. Pulled
- * once more such a throw comes no tighter; the next one, tied on it, draws both together. */
+/* The slit gapes under the newest throw, which was seated. Pulled once more such a throw comes no tighter; the next one, tied on it,
+ * draws both together. The last throw has no next one. */
 bool vbss_session_builds_on(const session_object *s)
 {
-    uint32_t newest = s->throw_count - 1;
     bool has_opened = (s->coach.observed & 1ull << VBSS_SESSION_MISTAKE_SLIT_OPENED) != 0 ||
                       s->seated_count < s->coach.seated_count;
-    return s->throw_count > s->seated_count && newest < SESSION_TRANSFERS && has_opened &&
-           ((s->transferred >> newest & 1u) != 0 || s->coach.holding_thread == 0);
+    return s->throw_count > s->seated_count && s->throw_count <= SESSION_TRANSFERS && has_opened;
 }
 
 bool vbss_session_has_to_seat(const session_object *s)

@@ -229,7 +229,7 @@ static void take_needle_over(rig *r)
     run(r);
 }
 
-/* While a hand has the tail it pulls once more; after that a sprung throw is left, and the next one, wound for a square, closes the slit. */
+/* A sprung throw is left, and the next one, wound for a square, closes the slit. */
 static void opened_slit_is_left_to_the_next_throw(void **state)
 {
     (void)state;
@@ -242,8 +242,8 @@ static void opened_slit_is_left_to_the_next_throw(void **state)
     rig_expect_goal(&r, VBSS_SESSION_GOAL_HAND_OVER, VBSS_METRICS_TOOL_LEFT);
     rig_hold_thread(&r, RIG_LEFT, 4e-3);
     run(&r);
-    rig_expect_goal(&r, VBSS_SESSION_GOAL_SEAT, VBSS_METRICS_TOOL_LEFT);
-    assert_non_null(strstr(rig_coaching(&r).remedy, "once more"));
+    rig_expect_goal(&r, VBSS_SESSION_GOAL_RELEASE_TAIL, VBSS_METRICS_TOOL_LEFT);
+    assert_non_null(strstr(rig_coaching(&r).remedy, "next throw"));
     rig_let_go(&r, RIG_LEFT);
     run(&r);
     take_needle_over(&r);

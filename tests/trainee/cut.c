@@ -70,7 +70,8 @@ static bool try_cut(trainee *t, int side, double depth, int *lifts)
            trainee_go(t, side, v_along(at, -ABOVE, along), 1e-3);
     at = v_load(trainee_see(t)->coach.point);
     return good && trainee_go(t, side, v_along(at, depth, along), 0.6e-3) &&
-           slide_along_thread(t, side) && trainee_jaws(t, side, true);
+           slide_along_thread(t, side) &&
+           (trainee_see(t)->coach.goal != VBSS_SESSION_GOAL_CUT || trainee_jaws(t, side, true));
 }
 
 /* The hand that the coach names opens, goes aside, takes shears, and cuts at the point of the coach. */

@@ -38,7 +38,8 @@
 #define HANGS 1.0      /* N, of both ends while the tail is drawn: a turn hangs on the jaws */
 #define NUDGED 1e-3    /* of the tail at a time then */
 #define OFF 1.5e-3     /* of the slit from its place */
-#define LARGEST 2.5    /* N, of both ends */
+#define LARGEST 1.5    /* N, of both ends: pulled harder, the edges slip past each other */
+#define FIRM 0.5       /* N, of both ends: gently from there */
 #define HARD 1.0       /* N, of an end */
 #define HARD_LATER 0.3 /* of a later throw */
 #define UNLIKE 1.5     /* times the other end's tension */
@@ -47,7 +48,7 @@
 
 enum {
     PARTS = 16,
-    AGAIN = 2
+    AGAIN = 5
 }; /* of slackening, before the tail is let go, and before a further pull */
 
 static bool is_goal(const trainee *t, vbss_session_goal goal)
@@ -353,7 +354,8 @@ static bool seat(trainee *t, int loop, double home)
             }
             continue;
         }
-        if (!pull_once(t, loop, slit, p, c.force > SLACKER * c.pull_force ? SLACK : TAUT)) {
+        double step = c.force > SLACKER * c.pull_force ? SLACK : weaker(t) > FIRM ? GENTLE : TAUT;
+        if (!pull_once(t, loop, slit, p, step)) {
             return false;
         }
     }
