@@ -72,7 +72,7 @@ enum {
      * jaws. */
     VBSS_SESSION_GOAL_DRAW_TAIL = 14,
     /** Both hands pull throw `number` down, the hand in DIRECTION and the other one opposite, each with
-     * `pull_force`. If the slit is open under a second or third throw that is slack, DIRECTION is to the
+     * `pull_force`. If the slit is open under a second or third throw that hangs loose, DIRECTION is to the
      * other hand's side: from there the throw draws the one below tight. POINT: the slit; `force` that the weaker end misses to that; `length`: gap of the
      * slit beyond `seat_gap`. */
     VBSS_SESSION_GOAL_SEAT = 15,

@@ -388,8 +388,8 @@ bool vbss_session_are_crossed(const session_object *s, const session_observation
     return vec3_dot(apart, own_side(&f, loop)) < 0.0;
 }
 
-/* Pulled flat over an open slit a throw locks, and the slit stays open. Pulled from behind, where the throw below was pulled from, it runs
- * down and draws that one tight. Hands that pull from there go on. If the throw below was pulled so, that is each hand's own side. */
+/* A throw that hangs loose over an open slit although it was pulled flat is pulled from behind, where the throw below was pulled from: it
+ * runs down and draws that one tight. Hands that pull from there go on. If the throw below was pulled so, that is each hand's own side. */
 bool vbss_session_pulls_from_behind(const session_object *s, const session_observation *observed,
                                     uint32_t loop)
 {
@@ -397,10 +397,10 @@ bool vbss_session_pulls_from_behind(const session_object *s, const session_obser
         return false;
     }
     double stronger = vbss_max(observed->tension[0], observed->tension[1]);
-    bool is_slack = stronger < SESSION_TIGHT_RATIO * s->config.seat_force;
+    bool hangs_loose = (s->coach.open & 1ull << VBSS_SESSION_MISTAKE_SLACK) != 0;
     bool is_open = observed->signed_gap > SESSION_OPEN_RATIO * s->config.seat_gap;
     return vbss_session_are_crossed(s, observed, loop) ? is_open || stronger >= s->config.seat_force
-                                                       : is_open && is_slack;
+                                                       : is_open && hangs_loose;
 }
 
 static void describe_seat(const session_object *s, const session_observation *observed,

@@ -43,7 +43,7 @@
 #define HARD 1.0       /* N, of an end */
 #define HARD_LATER 0.3 /* of a later throw */
 #define UNLIKE 1.5     /* times the other end's tension */
-#define ASIDE 5e-3     /* of the tail beyond the slit */
+#define CLEAR 18e-3    /* of the tips from each other */
 #define HALF_TURN 3.14159265358979
 
 enum {
@@ -241,10 +241,11 @@ static bool draw_tail(trainee *t, int loop)
     /* Taking up the limb, or shortening the tail, would open the throw below. */
     const bool later = is_later(t);
     vec slit = point_of(t);
-    /* Not where the other hand has a tail that stands up. */
-    double aside = trainee_see(t)->tip[loop].y > slit.y + ASIDE ? -15e-3 : 10e-3;
     vec over =
-        v_add(slit, later ? v3(-15e-3 * side, aside, 30e-3) : v3(-28e-3 * side, 15e-3, 30e-3));
+        v_add(slit, later ? v3(-15e-3 * side, 10e-3, 30e-3) : v3(-28e-3 * side, 15e-3, 30e-3));
+    if (later && v_distance(over, trainee_see(t)->tip[loop]) < CLEAR) {
+        over.y = slit.y - 15e-3; /* there the other hand has a tail that stands up */
+    }
     vec beside = trainee_see(t)->tip[1 - loop];
     beside.z = fmax(beside.z, over.z); /* the needle comes over the drain, not through it */
     if (!trainee_go(t, 1 - loop, beside, 5e-3) || !trainee_go(t, 1 - loop, over, 5e-3)) {
