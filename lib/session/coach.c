@@ -29,7 +29,7 @@ static double useful_turns(const session_object *s, uint32_t loop, bool grasps)
 static void store_turns(session_object *s, bool grasps, double turns)
 {
     session_coach *c = &s->coach;
-    bool is_tied = s->throw_count > s->seated_count || s->throw_count > c->throw_count;
+    bool is_tied = vbss_session_has_to_seat(s) || s->throw_count > c->throw_count;
     bool lengthens = vbss_session_current_goal(s).goal == VBSS_SESSION_GOAL_LENGTHEN_TAIL;
     if (grasps || is_tied) {
         c->grasped_turns = is_tied || lengthens ? SESSION_NOT_JUDGED : turns;
@@ -56,6 +56,12 @@ static void store_facts(session_object *s, const session_observation *observed)
     bool grasps = (holding & ~c->holding_thread & 1u << loop) != 0;
     store_turns(s, grasps, useful_turns(s, loop, grasps));
     c->holding_thread = holding;
+    if (s->throw_count > 0 && s->throw_count == s->seated_count &&
+        c->seated_count < s->seated_count) {
+        uint32_t newest = 1u << (s->throw_count - 1);
+        bool are_crossed = vbss_session_are_crossed(s, observed, loop);
+        c->from_behind = are_crossed ? c->from_behind | newest : c->from_behind & ~newest;
+    }
     c->throw_count = s->throw_count;
     c->seated_count = s->seated_count;
     c->has_entry = s->holes[SESSION_ENTRY].id != 0;
@@ -85,8 +91,14 @@ static void describe(const session_object *s, session_goal goal, vbss_session_co
 {
     session_observation observed;
     vbss_session_observe(s, &observed);
-    if (!observed.has_lost_body) {
-        vbss_session_describe_goal(s, &observed, goal, coaching);
+    if (observed.has_lost_body) {
+        return;
+    }
+    vbss_session_describe_goal(s, &observed, goal, coaching);
+    if (goal.goal == VBSS_SESSION_GOAL_SEAT &&
+        vbss_session_pulls_from_behind(s, &observed, goal.tool)) {
+        coaching->sentence = vbss_session_crossing_sentence(
+            goal.tool, vbss_session_are_crossed(s, &observed, goal.tool));
     }
 }
 
@@ -100,7 +112,10 @@ void vbss_session_fill_coaching(const session_object *s, vbss_session_coaching *
     coaching->mistake = vbss_session_shown_mistake(s);
     coaching->is_mendable = vbss_session_is_mendable(s, coaching->mistake);
     coaching->mistake_sentence = vbss_session_mistake_string(coaching->mistake);
-    coaching->remedy = vbss_session_remedy_string(coaching->mistake);
+    bool builds_on =
+        coaching->mistake == VBSS_SESSION_MISTAKE_SLIT_OPENED && vbss_session_builds_on(s);
+    coaching->remedy =
+        builds_on ? vbss_session_building_remedy() : vbss_session_remedy_string(coaching->mistake);
     coaching->mistakes = c->open;
     coaching->goal_time = s->time - c->goal_since;
     coaching->mistake_time = coaching->mistake != 0 ? c->begun[coaching->mistake] : 0.0;
@@ -108,8 +123,10 @@ void vbss_session_fill_coaching(const session_object *s, vbss_session_coaching *
         describe(s, goal, coaching);
     }
     bool is_over = (goal.tool == VBSS_METRICS_TOOL_RIGHT) == (vbss_session_wanted_sign(s) > 0.0);
-    coaching->sentence =
-        vbss_session_goal_sentence(goal, coaching->number, vbss_session_wanted_wraps(s), is_over);
+    if (coaching->sentence == NULL) {
+        coaching->sentence = vbss_session_goal_sentence(goal, coaching->number,
+                                                        vbss_session_wanted_wraps(s), is_over);
+    }
 }
 
 /* ---- state */
@@ -122,7 +139,7 @@ void vbss_session_visit_coach(vbss_stream *stream, session_object *s)
     vbss_stream_u64(stream, 80, &s->coach_event_count, 1);
     uint32_t *const words[] = {&c->goal.value,     &c->goal.candidate, &c->has_entry,
                                &c->entry_threaded, &c->holding_thread, &c->throw_count,
-                               &c->seated_count};
+                               &c->seated_count,   &c->from_behind};
     for (size_t i = 0; i < sizeof words / sizeof words[0]; i++) {
         vbss_stream_u32(stream, 81, words[i], 1);
     }

@@ -380,13 +380,38 @@ static void describe_tail_drawing(const session_object *s, const session_observa
     c->turns = fabs(s->coach.turns[goal.tool]);
 }
 
+bool vbss_session_are_crossed(const session_object *s, const session_observation *observed,
+                              uint32_t loop)
+{
+    const task_frame f = read_frame(s, observed);
+    vec3 apart = vec3_sub(observed->tools[loop].tip, observed->tools[1 - loop].tip);
+    return vec3_dot(apart, own_side(&f, loop)) < 0.0;
+}
+
+/* A throw that hangs loose over an open slit although it was pulled flat is pulled from behind, where the throw below was pulled from: it
+ * runs down and draws that one tight. Hands that pull from there go on. If the throw below was pulled so, that is each hand's own side. */
+bool vbss_session_pulls_from_behind(const session_object *s, const session_observation *observed,
+                                    uint32_t loop)
+{
+    if (s->throw_count < 2 || (s->coach.from_behind >> (s->throw_count - 2) & 1u) != 0) {
+        return false;
+    }
+    double stronger = vbss_max(observed->tension[0], observed->tension[1]);
+    bool hangs_loose = (s->coach.open & 1ull << VBSS_SESSION_MISTAKE_SLACK) != 0;
+    bool is_open = observed->signed_gap > SESSION_OPEN_RATIO * s->config.seat_gap;
+    return vbss_session_are_crossed(s, observed, loop) ? is_open || stronger >= s->config.seat_force
+                                                       : is_open && hangs_loose;
+}
+
 static void describe_seat(const session_object *s, const session_observation *observed,
                           session_goal goal, vbss_session_coaching *c)
 {
     const task_frame f = read_frame(s, observed);
-    c->number = vbss_session_next_throw(s);
+    c->number = s->throw_count - 1;
     set_point(c, f.slit);
-    set_direction(c, own_side(&f, goal.tool));
+    const vec3 own = own_side(&f, goal.tool);
+    bool from_behind = vbss_session_pulls_from_behind(s, observed, goal.tool);
+    set_direction(c, from_behind ? vec3_neg(own) : own);
     c->geometry |= (uint32_t)VBSS_SESSION_GEOMETRY_PULL;
     c->pull_force = SESSION_PULL_RATIO * s->config.seat_force;
     double weaker = vbss_min(observed->tension[0], observed->tension[1]);

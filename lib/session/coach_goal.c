@@ -142,7 +142,7 @@ static session_goal find_goal_of_throw(const session_object *s, const session_ob
     double wound =
         is_current(s, VBSS_SESSION_GOAL_DRAW_TAIL) ? SESSION_THROUGH_TURNS : SESSION_WOUND_TURNS;
     bool draws = observed->tools[loop].has_tail && fabs(s->coach.turns[loop]) > wound;
-    if (s->throw_count > s->seated_count && !draws) {
+    if (vbss_session_has_to_seat(s) && !draws) {
         return holds_thread ? make_goal(VBSS_SESSION_GOAL_SEAT, loop)
                             : make_goal(VBSS_SESSION_GOAL_TAKE_TAIL, loop);
     }
@@ -161,7 +161,7 @@ static session_goal find_goal_of_throw(const session_object *s, const session_ob
                : make_goal(VBSS_SESSION_GOAL_DRAW_TAIL, loop);
 }
 
-/* The hand without the needle cuts, if it can. */
+/* The hand without the needle cuts, if it can. A throw whose tail is let go under tension springs open, so both ends get slack first. */
 static session_goal find_goal_of_cut(const session_object *s, const session_observation *observed)
 {
     for (uint32_t i = SESSION_TOOLS; i-- > 0;) {
@@ -169,9 +169,10 @@ static session_goal find_goal_of_cut(const session_object *s, const session_obse
             return make_goal(VBSS_SESSION_GOAL_CUT, i < SESSION_HANDS ? i : NO_HAND);
         }
     }
-    uint32_t holding = s->holding_tools.value;
-    return make_goal(VBSS_SESSION_GOAL_TAKE_SHEARS,
-                     holding == 2 ? VBSS_METRICS_TOOL_LEFT : VBSS_METRICS_TOOL_RIGHT);
+    uint32_t hand = s->holding_tools.value == 2 ? VBSS_METRICS_TOOL_LEFT : VBSS_METRICS_TOOL_RIGHT;
+    bool has_tail = observed->tools[hand].held_arc >= 0.0;
+    return make_goal(has_tail ? VBSS_SESSION_GOAL_RELEASE_TAIL : VBSS_SESSION_GOAL_TAKE_SHEARS,
+                     hand);
 }
 
 session_goal vbss_session_find_goal(const session_object *s, const session_observation *observed)

@@ -171,7 +171,7 @@ static uint64_t observe_pull(const session_object *s, const mistake_facts *f)
     const session_observation *o = f->observed;
     double weaker = vbss_min(o->tension[0], o->tension[1]);
     double stronger = vbss_max(o->tension[0], o->tension[1]);
-    bool is_seating = s->throw_count > s->seated_count;
+    bool is_seating = vbss_session_has_to_seat(s);
     bool is_one_sided = is_drawn_through(s) || (stronger > s->config.seat_force &&
                                                 weaker < SESSION_ONE_SIDED_RATIO * stronger);
     return when(is_seating && is_one_sided, BIT(ONE_SIDED)) |
@@ -213,7 +213,7 @@ static uint64_t observe_mistakes(const session_object *s, const session_observat
                              .before = s->coach.observed,
                              .loop = loop,
                              .is_throwing = is_throwing(s),
-                             .is_untied = s->throw_count == s->seated_count,
+                             .is_untied = !vbss_session_has_to_seat(s),
                              .turns = s->coach.turns[loop],
                              .wanted = vbss_session_wanted_wraps(s)};
     return observe_stitch(s, &f) | observe_tail(s) | observe_winding(s, &f) | observe_grasp(s, &f) |

@@ -11,9 +11,23 @@ uint32_t vbss_session_limb_hand(const session_object *s)
     return hand == NO_HAND ? VBSS_METRICS_TOOL_RIGHT : hand;
 }
 
+/* The slit gapes under the newest throw, which was seated. Pulled once more such a throw comes no tighter; the next one, tied on it,
+ * draws both together. The last throw has no next one. */
+bool vbss_session_builds_on(const session_object *s)
+{
+    bool has_opened = (s->coach.observed & 1ull << VBSS_SESSION_MISTAKE_SLIT_OPENED) != 0 ||
+                      s->seated_count < s->coach.seated_count;
+    return s->throw_count > s->seated_count && s->throw_count <= SESSION_TRANSFERS && has_opened;
+}
+
+bool vbss_session_has_to_seat(const session_object *s)
+{
+    return s->throw_count > s->seated_count && !vbss_session_builds_on(s);
+}
+
 uint32_t vbss_session_next_throw(const session_object *s)
 {
-    return s->throw_count > s->seated_count ? s->throw_count - 1 : s->throw_count;
+    return vbss_session_has_to_seat(s) ? s->throw_count - 1 : s->throw_count;
 }
 
 uint32_t vbss_session_wanted_wraps(const session_object *s)
@@ -42,8 +56,9 @@ uint32_t vbss_session_taking_hand(const session_object *s)
 
 bool vbss_session_has_to_transfer(const session_object *s)
 {
-    return s->seated_count > 0 && s->seated_count <= SESSION_TRANSFERS &&
-           s->throw_count == s->seated_count && (s->transferred >> (s->seated_count - 1) & 1u) == 0;
+    uint32_t count = s->throw_count;
+    return count > 0 && count <= SESSION_TRANSFERS && !vbss_session_has_to_seat(s) &&
+           (s->transferred >> (count - 1) & 1u) == 0;
 }
 
 vbss_result vbss_session_read_winding(session_object *s)

@@ -85,6 +85,29 @@ const char *vbss_session_goal_sentence(session_goal goal, uint32_t number, uint3
     return goal.goal == VBSS_SESSION_GOAL_CUT ? cuts[number % 2] : goals[goal.goal][goal.tool];
 }
 
+/* Before the hands have changed sides, and after. */
+static const char *const crossings[2][2] = {
+    {"The slit is open. With both ends slack, take the left tool to the right along the near side, "
+     "and the right one to the left along the far side; then pull both ends, low and equally hard, "
+     "until it is closed.",
+     "The slit is open. With both ends slack, take the right tool to the left along the near side, "
+     "and the left one to the right along the far side; then pull both ends, low and equally hard, "
+     "until it is closed."},
+    {"Pull both ends apart, low and equally hard, the left tool to the right, until the slit is "
+     "closed.",
+     "Pull both ends apart, low and equally hard, the right tool to the left, until the slit is "
+     "closed."}};
+
+const char *vbss_session_crossing_sentence(uint32_t loop, bool are_crossed)
+{
+    return crossings[are_crossed][loop % SESSION_HANDS];
+}
+
+const char *vbss_session_building_remedy(void)
+{
+    return "Go on to the next throw: drawn tight, it closes the slit and holds it.";
+}
+
 static const struct {
     const char *sentence, *remedy;
 } mistakes[VBSS_SESSION_MISTAKE_COUNT] = {

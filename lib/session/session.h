@@ -157,6 +157,7 @@ typedef struct session_coach {
     /* As of the last step: 1 if the first hole exists; 1 if the thread is in it; bit per hand that holds
      * the thread; numbers of tied and seated throws. */
     uint32_t has_entry, entry_threaded, holding_thread, throw_count, seated_count;
+    uint32_t from_behind; /* bit per throw: it was seated with the hands on each other's sides */
     /* Turns in the sense and direction that the next throw needs: the largest since the last throw or
      * grasp of the tail; when the tail was grasped, or SESSION_NOT_JUDGED once the throw is tied. */
     double max_turns, grasped_turns;
@@ -462,6 +463,14 @@ void vbss_session_dispatch_events(session_object *s);
 
 /* The hand that has the long limb: it holds the needle, did so last, or is the right one. */
 uint32_t vbss_session_limb_hand(const session_object *s);
+/* The slit has opened under the newest throw, and the next one is to close it; the newest throw is tied and has to be pulled. */
+bool vbss_session_builds_on(const session_object *s);
+bool vbss_session_has_to_seat(const session_object *s);
+/* Each hand is on the other one's side; the newest throw is pulled so. `loop` has the tail. */
+bool vbss_session_are_crossed(const session_object *s, const session_observation *observed,
+                              uint32_t loop);
+bool vbss_session_pulls_from_behind(const session_object *s, const session_observation *observed,
+                                    uint32_t loop);
 /* Number of the throw that is tied or seated next; its wraps; the sign of its turns about the tool of the
  * other hand that a square knot needs. */
 uint32_t vbss_session_next_throw(const session_object *s);
@@ -513,6 +522,9 @@ bool vbss_session_is_mendable(const session_object *s, vbss_session_mistake mist
 
 /* ---- coach_words.c */
 
+/* Of a throw that is pulled from behind, by the hand that has the tail; of a slit that the next throw is to close. */
+const char *vbss_session_crossing_sentence(uint32_t loop, bool are_crossed);
+const char *vbss_session_building_remedy(void);
 /* A constant string, never NULL. WIND: `wraps`, 1 or 2; `is_over`: over the top of the other tool first. */
 const char *vbss_session_goal_sentence(session_goal goal, uint32_t number, uint32_t wraps,
                                        bool is_over);

@@ -100,6 +100,9 @@
 /* Both ends are pulled with this many times seat_force, or 1 N by default.
  * Unit: 1, relative to seat_force. Origin: chosen, of the scripted surgeon. Test: none known. */
 #define SESSION_PULL_RATIO VBSS_TUNE(SESSION_PULL_RATIO, 2.0)
+/* A throw over a slit that is wider than that is pulled from behind.
+ * Unit: 1, relative to seat_gap. Origin: fitted, to the scripted mouse; the default of seat_release, 1 mm. Test: session.coach_goals. */
+#define SESSION_OPEN_RATIO VBSS_TUNE(SESSION_OPEN_RATIO, 2.0)
 /* Length of a tail that is cut. Unit: m. Origin: published range 3 to 5 mm, not verified. Test: none known. */
 #define SESSION_CUT_LENGTH VBSS_TUNE(SESSION_CUT_LENGTH, 4e-3)
 /* Deviation from a mark that is a mistake.

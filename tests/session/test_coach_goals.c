@@ -183,6 +183,7 @@ static void throw_goals_follow_the_thread(void **state)
     run(&r);
     rig_expect_goal(&r, VBSS_SESSION_GOAL_DRAW_TAIL, VBSS_METRICS_TOOL_RIGHT);
     rig_wind(&r, RIG_RIGHT, 0.0, 0);
+    rig_set_throw(&r, 1, 1, 1, VBSS_METRICS_RELATION_SQUARE);
     run(&r);
     rig_expect_goal(&r, VBSS_SESSION_GOAL_SEAT, VBSS_METRICS_TOOL_RIGHT);
     rig_pull(&r, 1.0, 3e-4);
@@ -207,6 +208,171 @@ static void later_throw_is_wound_for_a_square(void **state)
     run(&r);
     rig_expect_goal(&r, VBSS_SESSION_GOAL_WIND, VBSS_METRICS_TOOL_LEFT);
     assert_non_null(strstr(rig_coaching(&r).sentence, "underneath, away"));
+    rig_end(&r);
+}
+
+/* The first throw is seated and its tail let go: the left hand has to take the needle. */
+static void to_hand_over(rig *r)
+{
+    rig_begin_coached(r);
+    rig_to_tail(r);
+    rig_to_throw(r, 0, RIG_RIGHT);
+    rig_let_go(r, RIG_LEFT);
+    run(r);
+    rig_expect_goal(r, VBSS_SESSION_GOAL_HAND_OVER, VBSS_METRICS_TOOL_LEFT);
+}
+
+static void take_needle_over(rig *r)
+{
+    rig_take(r, RIG_LEFT);
+    rig_drop(r, RIG_RIGHT);
+    run(r);
+}
+
+/* A sprung throw is left, and the next one, wound for a square, closes the slit. */
+static void opened_slit_is_left_to_the_next_throw(void **state)
+{
+    (void)state;
+    rig r;
+    to_hand_over(&r);
+    const double sign = vbss_session_wanted_sign(r.s);
+    rig_pull(&r, 0.0, 2e-3);
+    run(&r);
+    assert_int_equal(r.s->seated_count, 0);
+    rig_expect_goal(&r, VBSS_SESSION_GOAL_HAND_OVER, VBSS_METRICS_TOOL_LEFT);
+    rig_hold_thread(&r, RIG_LEFT, 4e-3);
+    run(&r);
+    rig_expect_goal(&r, VBSS_SESSION_GOAL_RELEASE_TAIL, VBSS_METRICS_TOOL_LEFT);
+    assert_non_null(strstr(rig_coaching(&r).remedy, "next throw"));
+    rig_let_go(&r, RIG_LEFT);
+    run(&r);
+    take_needle_over(&r);
+    rig_expect_goal(&r, VBSS_SESSION_GOAL_WIND, VBSS_METRICS_TOOL_LEFT);
+    assert_int_equal(rig_coaching(&r).number, 1);
+    expect_near(1.25, rig_coaching(&r).turns, 1e-12);
+    assert_true(vbss_session_wanted_sign(r.s) == sign);
+    assert_int_equal(rig_coaching(&r).mistake, VBSS_SESSION_MISTAKE_SLIT_OPENED);
+    assert_non_null(strstr(rig_coaching(&r).remedy, "next throw"));
+    rig_wind(&r, RIG_RIGHT, 1.3 * sign, 1);
+    run(&r);
+    rig_expect_goal(&r, VBSS_SESSION_GOAL_TAKE_TAIL, VBSS_METRICS_TOOL_RIGHT);
+    rig_hold_thread(&r, RIG_RIGHT, 4e-3);
+    run(&r);
+    rig_expect_goal(&r, VBSS_SESSION_GOAL_DRAW_TAIL, VBSS_METRICS_TOOL_RIGHT);
+    rig_wind(&r, RIG_RIGHT, 0.0, 0); /* through, and not tied yet */
+    run(&r);
+    rig_expect_goal(&r, VBSS_SESSION_GOAL_DRAW_TAIL, VBSS_METRICS_TOOL_RIGHT);
+    rig_set_throw(&r, 1, 1, -r.s->throws[0].value.handedness, VBSS_METRICS_RELATION_SQUARE);
+    run(&r);
+    assert_int_equal(r.s->seated_count, 1);
+    rig_expect_goal(&r, VBSS_SESSION_GOAL_SEAT, VBSS_METRICS_TOOL_RIGHT);
+    assert_int_equal(rig_coaching(&r).mistake, VBSS_SESSION_MISTAKE_NONE);
+    rig_end(&r);
+}
+
+/* Unit vector to the side of a hand. */
+static vec3 own_side(const rig *r, uint32_t hand)
+{
+    const scene_drain_info d =
+        vbss_scene_inspect_drain(vbss_scene_inspect_body(r->s->scene, r->s->config.drain).drain);
+    return vec3_unit_or(vec3_sub(d.positions[d.marks[hand]], d.positions[d.marks[1 - hand]]),
+                        vec3_zero());
+}
+
+/* Whether the hand with the tail is to pull to the other hand's side; `apart`: its tip from the other one's toward its own side, m. */
+static bool is_pulled_from_behind(const rig *r, double apart, double tension, double gap)
+{
+    session_observation seen;
+    vbss_session_coaching c;
+    const session_goal goal = vbss_session_current_goal(r->s);
+    vbss_session_observe(r->s, &seen);
+    seen.tension[0] = seen.tension[1] = tension;
+    seen.signed_gap = gap;
+    assert_int_equal(goal.goal, VBSS_SESSION_GOAL_SEAT);
+    const vec3 own = own_side(r, goal.tool);
+    seen.tools[goal.tool].tip = vec3_scale(own, 0.5 * apart);
+    seen.tools[1 - goal.tool].tip = vec3_scale(own, -0.5 * apart);
+    memset(&c, 0, sizeof c);
+    vbss_session_describe_goal(r->s, &seen, goal, &c);
+    const double toward = vec3_dot(own, vec3_load(c.direction));
+    assert_true(fabs(toward) > 0.9);
+    return toward < 0.0;
+}
+
+/* The second throw is tied, and the right hand has its tail. */
+static void to_second_seat(rig *r)
+{
+    to_hand_over(r);
+    take_needle_over(r);
+    rig_wind(r, RIG_RIGHT, 1.3 * vbss_session_wanted_sign(r->s), 1);
+    rig_hold_thread(r, RIG_RIGHT, 4e-3);
+    run(r);
+    rig_wind(r, RIG_RIGHT, 0.0, 0);
+    rig_set_throw(r, 1, 1, -r->s->throws[0].value.handedness, VBSS_METRICS_RELATION_SQUARE);
+    rig_pull(r, 0.0, 1e-3);
+    run(r);
+    rig_expect_goal(r, VBSS_SESSION_GOAL_SEAT, VBSS_METRICS_TOOL_RIGHT);
+}
+
+/* A throw that hangs loose over an open slit is pulled with the hands on each other's sides, and so on from there; one that bears tension is pulled
+ * flat. */
+static void open_slit_is_pulled_from_behind(void **state)
+{
+    (void)state;
+    rig r;
+    to_second_seat(&r);
+    assert_false(is_pulled_from_behind(&r, 0.04, 0.0, 1.1e-3));
+    rig_run(&r, 5.1); /* it hangs loose */
+    assert_false(is_pulled_from_behind(&r, 0.04, 0.0, 9e-4));
+    assert_true(is_pulled_from_behind(&r, 0.04, 0.0, 1.1e-3));
+    assert_true(is_pulled_from_behind(&r, -0.04, 0.8, 3e-4));
+    assert_true(is_pulled_from_behind(&r, -0.04, 0.3, 1.1e-3));
+    assert_false(is_pulled_from_behind(&r, -0.04, 0.0, 3e-4)); /* just drawn, and closed */
+    r.s->coach.from_behind =
+        1u; /* the throw below was pulled so: its ends lie on the other sides */
+    assert_false(is_pulled_from_behind(&r, 0.04, 0.0, 1.1e-3));
+    assert_false(is_pulled_from_behind(&r, -0.04, 0.8, 1.1e-3));
+    rig_end(&r);
+}
+
+/* The coach keeps which throws were closed from behind. */
+static void sides_of_a_seat_are_kept(void **state)
+{
+    (void)state;
+    for (int crossed = 0; crossed < 2; crossed++) {
+        rig r;
+        to_second_seat(&r);
+        /* The frame of the coach is that of the scene's drain and of the lips that are seen. */
+        session_observation seen;
+        vbss_session_observe(r.s, &seen);
+        memcpy(r.observation.lips, seen.lips, sizeof seen.lips);
+        r.observation.into_tissue = seen.into_tissue;
+        const vec3 own = vec3_scale(own_side(&r, RIG_RIGHT), crossed != 0 ? -0.02 : 0.02);
+        r.observation.tools[RIG_RIGHT].tip = own;
+        r.observation.tools[RIG_LEFT].tip = vec3_neg(own);
+        rig_pull(&r, 1.0, 3e-4);
+        run(&r);
+        rig_expect_goal(&r, VBSS_SESSION_GOAL_RELEASE_TAIL, VBSS_METRICS_TOOL_RIGHT);
+        assert_int_equal(r.s->coach.from_behind >> 1 & 1u, crossed);
+        rig_end(&r);
+    }
+}
+
+static void first_throw_is_pulled_flat(void **state)
+{
+    (void)state;
+    rig r;
+    rig_begin_coached(&r);
+    rig_to_tail(&r);
+    rig_wind(&r, RIG_LEFT, 2.3, 1);
+    rig_hold_thread(&r, RIG_LEFT, 4e-3);
+    run(&r);
+    rig_wind(&r, RIG_LEFT, 0.0, 0);
+    rig_set_throw(&r, 0, 2, -1, VBSS_METRICS_RELATION_FIRST);
+    rig_pull(&r, 0.0, 2e-3);
+    run(&r);
+    assert_false(is_pulled_from_behind(&r, 0.04, 0.0, 2e-3));
+    assert_false(is_pulled_from_behind(&r, -0.04, 0.0, 2e-3));
     rig_end(&r);
 }
 
@@ -270,6 +436,10 @@ static void cut_goals_follow_the_tails(void **state)
     rig r;
     rig_begin_coached(&r);
     rig_to_cut(&r);
+    rig_hold_thread(&r, RIG_LEFT, 4e-3);
+    run(&r);
+    rig_expect_goal(&r, VBSS_SESSION_GOAL_RELEASE_TAIL, VBSS_METRICS_TOOL_LEFT);
+    rig_let_go(&r, RIG_LEFT);
     run(&r);
     rig_expect_goal(&r, VBSS_SESSION_GOAL_TAKE_SHEARS, VBSS_METRICS_TOOL_LEFT);
     r.observation.tools[RIG_LEFT].is_shears = true;
@@ -360,6 +530,10 @@ int test_coach_goals(void)
         cmocka_unit_test(stitch_goals_follow_the_needle),
         cmocka_unit_test(throw_goals_follow_the_thread),
         cmocka_unit_test(later_throw_is_wound_for_a_square),
+        cmocka_unit_test(opened_slit_is_left_to_the_next_throw),
+        cmocka_unit_test(open_slit_is_pulled_from_behind),
+        cmocka_unit_test(sides_of_a_seat_are_kept),
+        cmocka_unit_test(first_throw_is_pulled_flat),
         cmocka_unit_test(place_to_wind_follows_the_limb),
         cmocka_unit_test(cut_goals_follow_the_tails),
         cmocka_unit_test(each_goal_is_one_event),

@@ -10,11 +10,18 @@
 #define DEEPER 0.8e-3     /* m, at each further try */
 #define BESIDE 1.5e-3     /* m, along the thread: so far off is good enough */
 #define UPRIGHT 0.6       /* rise of the needle's thread where it is cut, for each metre of it */
-#define LIFT_TENSION 0.25 /* N */
+#define STEEP 0.3         /* fall of blades, at least, of their level length */
+#define LIFT_TENSION 0.15 /* N */
+#define LIFTED 3e-3       /* m at a time: a thread that is lifted too far opens the slit */
 
-/* Where the blades point so that they lie across the thread: else the knot is between them, too. */
+enum { LIFTS = 10 }; /* of the needle's thread, in all */
+
+/* Where the blades point so that they lie across the thread: else the knot is between them, too. From level blades the shaft would come to
+ * the floor. */
 static vec across_thread(vec jaws, vec thread)
 {
+    double flat = hypot(jaws.x, jaws.y);
+    jaws = jaws.z > -STEEP * flat ? v_unit(v3(jaws.x, jaws.y, -flat)) : jaws;
     vec square = v_along(jaws, -v_dot(jaws, thread), thread), down = v3(0.0, 0.0, -1.0);
     return v_unit(v_length(square) > 0.5 ? square : v_along(down, -v_dot(down, thread), thread));
 }
@@ -33,25 +40,25 @@ static bool slide_along_thread(trainee *t, int side)
 }
 
 /* The needle's thread lies level, between drain and blades: the other hand lifts it. */
-static bool lift_thread(trainee *t, int side)
+static bool lift_thread(trainee *t, int side, int *lifts)
 {
     bool good = true;
-    for (int i = 0; i < 8 && good; i++) {
+    for (; *lifts < LIFTS && good; ++*lifts) {
         const sight now = *trainee_see(t), *s = &now;
         if (s->coach.goal != VBSS_SESSION_GOAL_CUT || s->coach.number == 0 || !s->holds[1 - side] ||
             s->coach.direction[2] > UPRIGHT || s->tension[1] > LIFT_TENSION) {
             break;
         }
         trainee_say(t, "lift the thread");
-        good = trainee_go(t, 1 - side, v_add(s->tip[1 - side], v3(0.0, 0.0, 8e-3)), 2e-3);
+        good = trainee_move(t, 1 - side, v3(0.0, 0.0, LIFTED));
     }
     return good;
 }
 
 /* One try at the point of the coach; false: the exercise has ended. */
-static bool try_cut(trainee *t, int side, double depth)
+static bool try_cut(trainee *t, int side, double depth, int *lifts)
 {
-    bool good = lift_thread(t, side);
+    bool good = lift_thread(t, side, lifts);
     const sight now = *trainee_see(t), *s = &now;
     vec at = v_load(s->coach.point), thread = v_load(s->coach.direction);
     good = good && trainee_jaws(t, side, false) &&
@@ -63,7 +70,8 @@ static bool try_cut(trainee *t, int side, double depth)
            trainee_go(t, side, v_along(at, -ABOVE, along), 1e-3);
     at = v_load(trainee_see(t)->coach.point);
     return good && trainee_go(t, side, v_along(at, depth, along), 0.6e-3) &&
-           slide_along_thread(t, side) && trainee_jaws(t, side, true);
+           slide_along_thread(t, side) &&
+           (trainee_see(t)->coach.goal != VBSS_SESSION_GOAL_CUT || trainee_jaws(t, side, true));
 }
 
 /* The hand that the coach names opens, goes aside, takes shears, and cuts at the point of the coach. */
@@ -71,6 +79,7 @@ void lesson_cut(trainee *t)
 {
     uint32_t limb = UINT32_MAX;
     double depth = 0.0;
+    int lifts = 0;
     bool good = trainee_finish_motion(t);
     for (int i = 0; i < 30 && good; i++) {
         const sight now = *trainee_see(t), *s = &now;
@@ -85,7 +94,12 @@ void lesson_cut(trainee *t)
                     : s->coach.number == 0  ? TAIL_IN_BLADES
                                             : THREAD_IN_BLADES;
             limb = s->coach.number;
-            good = try_cut(t, side, depth);
+            good = try_cut(t, side, depth, &lifts);
+        } else if (s->coach.goal == VBSS_SESSION_GOAL_RELEASE_TAIL) {
+            good = lesson_release_tail(t, side);
+        } else if (s->coach.goal == VBSS_SESSION_GOAL_SEAT ||
+                   s->coach.goal == VBSS_SESSION_GOAL_TAKE_TAIL) {
+            break; /* the slit has opened */
         } else {
             good = trainee_wait(t, 20);
         }

@@ -12,29 +12,44 @@
 #define TOGETHER 8e-3 /* of one hand before the other follows */
 #define RISING 0.4    /* of the needle over the jaws, of its distance from them, at least */
 #define NEAREST 15e-3
-#define SWEPT 12e-3      /* of the tail from where it was seen, */
-#define OVER 20e-3       /* then the jaws go as high */
-#define GIVEN 15e-3      /* before the last part of it */
-#define SPARE 3e-3       /* of the limb on that path */
-#define MISSED 25e-3     /* of the jaws from a tail that they have closed beside, at most */
-#define STRIDE 60e-3     /* of the mouse when it winds */
-#define WAITS 130        /* frames, when turns have come off */
-#define DRAWN 3e-3       /* of the tail at a time */
-#define SHORTER 1e-3     /* of its jaws to the slit, in each movement, */
-#define SHORT 0.75       /* down to this share: a tail that is taut drags the drain along */
-#define TAKEN_UP 6e-3    /* of the limb at a time */
-#define LIGHT 0.1        /* N, of the limb then */
-#define TAUT 1.5e-3      /* of the limb at a time while both ends are taut, */
-#define SLACK 6e-3       /* and while one is slack: it misses */
-#define SLACKER 0.88     /* more of the force */
-#define FAR 0.15         /* from the slit, to where the hands pull */
-#define LOW 20e-3        /* of the tail below the slit, 70 mm from it */
-#define SLACKENED 1.5e-3 /* of each hand at a time before the tail is let go */
-#define OFF 1.5e-3       /* of the slit from its place */
-#define LARGEST 2.5      /* N, of both ends */
-#define HARD 1.0         /* N, of an end */
-#define UNLIKE 1.5       /* times the other end's tension */
+#define SWEPT 12e-3  /* of the tail from where it was seen, */
+#define OVER 20e-3   /* then the jaws go as high */
+#define GIVEN 15e-3  /* before the last part of it */
+#define SPARE 3e-3   /* of the limb on that path */
+#define MISSED 25e-3 /* of the jaws from a tail that they have closed beside, at most */
+#define STRIDE \
+    30e-3 /* of the mouse when it winds: a longer one pulls on with a limb that has become taut */
+#define WAITS 130      /* frames, when turns have come off */
+#define DRAWN 3e-3     /* of the tail at a time */
+#define SHORTER 1e-3   /* of its jaws to the slit, in each movement, */
+#define SHORT 0.75     /* down to this share: a tail that is taut drags the drain along */
+#define TAKEN_UP 6e-3  /* of the limb at a time */
+#define LIGHT 0.1      /* N, of the limb then */
+#define TAUT 1.5e-3    /* of the limb at a time while both ends are taut, */
+#define SLACK 6e-3     /* and while one is slack: it misses */
+#define SLACKER 0.88   /* more of the force */
+#define FAR 0.15       /* from the slit, to where the hands pull */
+#define LOW 20e-3      /* of the tail below the slit, 70 mm from it */
+#define ENOUGH 1.2     /* N, of both ends: pulled harder, the slit opens again */
+#define GENTLE 0.8e-3  /* of each hand at a time in the end */
+#define SLACKENED 1e-3 /* of each hand at a time before the tail is let go, */
+#define LOCKED 0.6     /* N, of both ends then: so much the stitch itself may hold */
+#define LOOSE 0.1      /* N, of an end that does not pull */
+#define HANGS 1.0      /* N, of both ends while the tail is drawn: a turn hangs on the jaws */
+#define NUDGED 1e-3    /* of the tail at a time then */
+#define OFF 1.5e-3     /* of the slit from its place */
+#define LARGEST 1.5    /* N, of both ends: pulled harder, the edges slip past each other */
+#define FIRM 0.5       /* N, of both ends: gently from there */
+#define HARD 1.0       /* N, of an end */
+#define HARD_LATER 0.3 /* of a later throw */
+#define UNLIKE 1.5     /* times the other end's tension */
+#define CLEAR 18e-3    /* of the tips from each other */
 #define HALF_TURN 3.14159265358979
+
+enum {
+    PARTS = 16,
+    AGAIN = 5
+}; /* of slackening, before the tail is let go, and before a further pull */
 
 static bool is_goal(const trainee *t, vbss_session_goal goal)
 {
@@ -44,6 +59,16 @@ static bool is_goal(const trainee *t, vbss_session_goal goal)
 static vec point_of(const trainee *t)
 {
     return v_load(trainee_see(t)->coach.point);
+}
+
+static double weaker(const trainee *t)
+{
+    return fmin(trainee_see(t)->tension[0], trainee_see(t)->tension[1]);
+}
+
+static double stronger(const trainee *t)
+{
+    return fmax(trainee_see(t)->tension[0], trainee_see(t)->tension[1]);
 }
 
 /* Of x, on the hand's own side. */
@@ -130,6 +155,8 @@ static vec toward_tail(const trainee *t, int loop)
     vec inward = v_load(trainee_see(t)->coach.direction);
     vec out = v3(-inward.x, -inward.y, 0.0);
     out = v_length(out) < 0.5 ? v3(-side_of(loop), 0.2, 0.0) : v_unit(out);
+    out = out.x * side_of(loop) > 0.0 ? v_scale(-1.0, out)
+                                      : out; /* jaws that turn round lose the turns */
     return v_unit(v_add(v_scale(0.6, out), v3(0.0, 0.0, -0.8)));
 }
 
@@ -213,8 +240,12 @@ static bool draw_tail(trainee *t, int loop)
     bool turned = false;
     /* Taking up the limb, or shortening the tail, would open the throw below. */
     const bool later = is_later(t);
-    vec slit = point_of(t), over = v_add(slit, later ? v3(-15e-3 * side, 10e-3, 30e-3)
-                                                     : v3(-28e-3 * side, 15e-3, 30e-3));
+    vec slit = point_of(t);
+    vec over =
+        v_add(slit, later ? v3(-15e-3 * side, 10e-3, 30e-3) : v3(-28e-3 * side, 15e-3, 30e-3));
+    if (later && v_distance(over, trainee_see(t)->tip[loop]) < CLEAR) {
+        over.y = slit.y - 15e-3; /* there the other hand has a tail that stands up */
+    }
     vec beside = trainee_see(t)->tip[1 - loop];
     beside.z = fmax(beside.z, over.z); /* the needle comes over the drain, not through it */
     if (!trainee_go(t, 1 - loop, beside, 5e-3) || !trainee_go(t, 1 - loop, over, 5e-3)) {
@@ -224,13 +255,16 @@ static bool draw_tail(trainee *t, int loop)
     double radius = sqrt(arm.x * arm.x + arm.z * arm.z), angle = atan2(arm.z, side * arm.x);
     angle += angle < -0.5 * HALF_TURN ? 2.0 * HALF_TURN : 0.0;
     double full = radius;
-    t->has_pulled = false;
+    const bool is_beside = angle < 0.25 * HALF_TURN; /* the tail is on its own side already */
+    t->slit = slit;
+    t->has_pulled = t->is_crossed = false;
     for (int i = 0; i < 60 && is_goal(t, VBSS_SESSION_GOAL_DRAW_TAIL); i++) {
         if (!turned && angle < 0.5 * HALF_TURN) {
             turned =
                 trainee_turn(t, loop, v3(-side, 0.0, 0.0)); /* or the last turn hangs on them */
         }
-        if (!later && angle <= 0.0 && trainee_see(t)->tension[1] < LIGHT && i % 2 == 0) {
+        if ((!later || is_beside) && angle <= 0.0 && trainee_see(t)->tension[1] < LIGHT &&
+            (is_beside || i % 2 == 0)) {
             if (!take_up(t, loop, slit)) {
                 return false;
             }
@@ -241,7 +275,8 @@ static bool draw_tail(trainee *t, int loop)
                               : fmax(radius - SHORTER, SHORT * full);
         angle -= angle > 0.0 ? DRAWN / radius : 0.0;
         vec to = v_add(slit, v3(side * radius * cos(angle), 0.0, radius * sin(angle)));
-        if (!trainee_move(t, loop, v_sub(to, trainee_see(t)->tip[loop]))) {
+        vec by = v_sub(to, trainee_see(t)->tip[loop]);
+        if (!trainee_move(t, loop, weaker(t) > HANGS ? v_limit(by, NUDGED) : by)) {
             return false;
         }
         trainee_say(t, "drawn");
@@ -257,14 +292,18 @@ typedef struct pull_plan {
 static pull_plan choose_pull(const trainee *t, double off)
 {
     const double *n = trainee_see(t)->tension;
-    bool limb = n[1] > HARD && n[1] > UNLIKE * n[0], tail = n[0] > HARD && n[0] > UNLIKE * n[1];
-    return limb || tail ? (pull_plan){limb, tail} : (pull_plan){off<-OFF, off> OFF};
+    /* A throw on another one locks under an end that pulls alone. */
+    const double hard = is_later(t) ? HARD_LATER : HARD;
+    bool limb = n[1] > hard && n[1] > UNLIKE * n[0], tail = n[0] > hard && n[0] > UNLIKE * n[1];
+    /* An end that is slack has not drawn the slit along. */
+    return limb || tail ? (pull_plan){limb, tail}
+                        : (pull_plan){off < -OFF && n[1] > LOOSE, off > OFF && n[0] > LOOSE};
 }
 
 /* One hand after the other pulls, the tail half as far. */
 static bool pull_once(trainee *t, int loop, vec slit, pull_plan p, double step)
 {
-    double side = side_of(loop);
+    double side = t->is_crossed ? -side_of(loop) : side_of(loop);
     vec limb = v_add(slit, v3(-side * FAR, 0.0, 7e-3)),
         tail = v_add(slit, v3(side * FAR, 0.0, -LOW * FAR / 70e-3));
     limb = v_scale(step, v_unit(v_sub(limb, trainee_see(t)->tip[1 - loop])));
@@ -275,17 +314,21 @@ static bool pull_once(trainee *t, int loop, vec slit, pull_plan p, double step)
     return good;
 }
 
-/* Both hands toward the slit, in turns. */
-static bool slacken(trainee *t, int loop)
+/* Both hands toward the slit in small equal parts, in turns, and a little more when nothing pulls. A part of the tension is that of the
+ * stitch itself, so it need not end. */
+static bool slacken(trainee *t, int loop, int parts)
 {
-    for (int i = 0; i < 4; i++) {
-        int which = i % 2 == 0 ? 1 - loop : loop;
-        vec toward = v_unit(v_sub(t->slit, trainee_see(t)->tip[which]));
-        if (!trainee_move(t, which, v_scale(SLACKENED, toward))) {
-            return false;
+    for (int i = 0, more = 2; i < parts && more > 0; i++) {
+        for (int k = 0; k < 2; k++) {
+            int which = k == 0 ? 1 - loop : loop;
+            vec toward = v_unit(v_sub(t->slit, trainee_see(t)->tip[which]));
+            if (!trainee_move(t, which, v_scale(SLACKENED, toward))) {
+                return false;
+            }
         }
+        more -= stronger(t) < LOCKED ? 1 : 0;
+        trainee_say(t, "slackened");
     }
-    trainee_say(t, "slackened");
     return true;
 }
 
@@ -296,16 +339,24 @@ static bool seat(trainee *t, int loop, double home)
     for (int i = 0; i < 60 && is_goal(t, VBSS_SESSION_GOAL_SEAT); i++) {
         const vbss_session_coaching c = trainee_see(t)->coach;
         vec slit = v_load(c.point);
-        pull_plan p = choose_pull(t, c.force > 0.0 ? side_of(loop) * (slit.x - home) : 0.0);
         t->slit = slit;
-        if (c.length > 0.0 &&
-            fmin(trainee_see(t)->tension[0], trainee_see(t)->tension[1]) > LARGEST) {
-            if (!slacken(t, loop)) { /* harder, the slit opens again: once more from little */
+        if (!t->is_crossed && c.direction[0] * side_of(loop) < 0.0) {
+            if (!lesson_cross_hands(t, loop)) {
                 return false;
             }
             continue;
         }
-        if (!pull_once(t, loop, slit, p, c.force > SLACKER * c.pull_force ? SLACK : TAUT)) {
+        double off = (t->is_crossed ? -side_of(loop) : side_of(loop)) * (slit.x - home);
+        pull_plan p = choose_pull(t, c.force > 0.0 ? off : 0.0);
+        if (c.length > 0.0 && weaker(t) > LARGEST) {
+            if (!slacken(t, loop,
+                         AGAIN)) { /* harder, the slit opens again: once more from little */
+                return false;
+            }
+            continue;
+        }
+        double step = c.force > SLACKER * c.pull_force ? SLACK : weaker(t) > FIRM ? GENTLE : TAUT;
+        if (!pull_once(t, loop, slit, p, step)) {
             return false;
         }
     }
@@ -316,13 +367,12 @@ static bool seat(trainee *t, int loop, double home)
  * sprung open even so, it is held. */
 bool lesson_release_tail(trainee *t, int loop)
 {
-    for (int i = 0; i < 4 && fmin(trainee_see(t)->tension[0], trainee_see(t)->tension[1]) < 2.0;
-         i++) {
-        if (!pull_once(t, loop, t->slit, choose_pull(t, 0.0), TAUT)) {
+    for (int i = 0; i < 4 && t->has_pulled && weaker(t) < ENOUGH; i++) {
+        if (!pull_once(t, loop, t->slit, choose_pull(t, 0.0), GENTLE)) {
             return false;
         }
     }
-    bool good = slacken(t, loop);
+    bool good = slacken(t, loop, t->has_pulled || stronger(t) > LOOSE ? PARTS : 0);
     return is_goal(t, VBSS_SESSION_GOAL_RELEASE_TAIL) ? good && lesson_leave(t, loop) : good;
 }
 

@@ -33,6 +33,7 @@ typedef struct trainee {
     vec entry;       /* m: the first mark before it was pierced */
     double warned;   /* s: when the coach last said that turns had come off */
     bool is_wound;   /* turns are on the jaws */
+    bool is_crossed; /* the hands, about the slit */
     bool has_pulled; /* the present throw tight */
     bool helps;      /* a closed tool supports the wall at the first mark */
     bool verbose;
@@ -88,6 +89,9 @@ void lesson_throw(trainee *t);
 /* What the present goal asks for; false: the exercise has ended, or the goal belongs to no throw. */
 bool lesson_throw_part(trainee *t);
 bool lesson_release_tail(trainee *t, int loop);
+
+/* crossing.c */
+bool lesson_cross_hands(trainee *t, int loop);
 
 /* ---- stitching.c: the needle in the whole task; false: the task has ended */
 

@@ -5,6 +5,7 @@
 
 #define OFFERED 40e-3 /* m, beside the slit, */
 #define HIGH 60e-3    /* and above it */
+#define OVER 25e-3    /* higher still: over the needle that the other hand has on this one's side */
 
 enum { LONGEST = 400 }; /* goals and repeats of them */
 
@@ -14,17 +15,17 @@ static double lean_of(const trainee *t, int side)
     return trainee_see(t)->has_needle[1 - side] ? 0.3 : 0.0;
 }
 
-/* The needle is held up on its own side with its thread slack, and the other hand comes over the drain, not through it. */
+/* The needle is held up on its own side, or where it is after a pull from behind, with its thread slack, and the other hand comes over the drain, not through it. */
 static bool hand_over(trainee *t, int side)
 {
-    double own = side == LEFT ? 1.0 : -1.0;
+    double own = (side == LEFT) != t->is_crossed ? 1.0 : -1.0;
     bool is_tied = t->slit.z != 0.0, good = true;
     if (is_tied) {
         good = trainee_go(t, 1 - side, v3(own * OFFERED, -15e-3, HIGH), 10e-3);
     } else if (trainee_see(t)->needle.z < 20e-3) {
         good = lesson_lift(t, 1 - side);
     }
-    double low = HIGH - trainee_see(t)->tip[side].z;
+    double low = HIGH + (t->is_crossed ? OVER : 0.0) - trainee_see(t)->tip[side].z;
     if (good && low > 5e-3) {
         good = trainee_move(t, side, v3(0.0, 0.0, low));
     }
@@ -54,7 +55,7 @@ static bool follow(trainee *t, int side)
     case VBSS_SESSION_GOAL_RELEASE_NEEDLE:
         return lesson_leave(t, side) && lesson_park(t, side);
     case VBSS_SESSION_GOAL_RELEASE_TAIL:
-        return t->has_pulled ? lesson_release_tail(t, side) : lesson_leave(t, side);
+        return lesson_release_tail(t, side);
     case VBSS_SESSION_GOAL_DRAW_THREAD:
         return lesson_draw_thread(t, side);
     case VBSS_SESSION_GOAL_LENGTHEN_TAIL:
