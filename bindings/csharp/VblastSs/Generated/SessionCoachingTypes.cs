@@ -88,8 +88,10 @@ namespace VblastSs
         DrawTail = 14,
         /// <summary>
         /// Both hands pull throw `number` down, the hand in DIRECTION and the other one opposite,
-        /// each with `pull_force`. POINT: the slit; `force` that the weaker end misses to that;
-        /// `length`: gap of the slit beyond `seat_gap`.
+        /// each with `pull_force`. If the slit is open under a second or third throw that hangs
+        /// loose, DIRECTION is to the other hand's side: from there the throw draws the one below
+        /// tight. POINT: the slit; `force` that the weaker end misses to that; `length`: gap of the
+        /// slit beyond `seat_gap`.
         /// </summary>
         Seat = 15,
         /// <summary>
@@ -180,7 +182,10 @@ namespace VblastSs
         /// tense, or the throw is seated.
         /// </summary>
         Slack = 22,
-        /// <summary>The slit has opened under a seated throw. Ends: the throw is seated.</summary>
+        /// <summary>
+        /// The slit has opened under a seated throw. Ends: the throw is seated, or the next one is
+        /// tied on it.
+        /// </summary>
         SlitOpened = 23,
         /// <summary>The walls of the slit have slipped past each other. Ends: they meet again.</summary>
         WallsCrossed = 24,

@@ -63,8 +63,10 @@ class SessionGoal(IntEnum):
     that are still on its jaws."""
     SEAT = 15
     """Both hands pull throw `number` down, the hand in DIRECTION and the other one opposite, each
-    with `pull_force`. POINT: the slit; `force` that the weaker end misses to that; `length`:
-    gap of the slit beyond `seat_gap`."""
+    with `pull_force`. If the slit is open under a second or third throw that hangs loose,
+    DIRECTION is to the other hand's side: from there the throw draws the one below tight.
+    POINT: the slit; `force` that the weaker end misses to that; `length`: gap of the slit
+    beyond `seat_gap`."""
     HAND_OVER = 16
     """The hand takes the needle from the other one after throw `number`. POINT, DIRECTION,
     `distance` and `angle` as for TAKE_NEEDLE."""
@@ -133,7 +135,8 @@ class SessionMistake(IntEnum):
     """A throw has been tied for 5 s, and both of its ends are slack. Ends: both ends are tense, or
     the throw is seated."""
     SLIT_OPENED = 23
-    """The slit has opened under a seated throw. Ends: the throw is seated."""
+    """The slit has opened under a seated throw. Ends: the throw is seated, or the next one is tied
+    on it."""
     WALLS_CROSSED = 24
     """The walls of the slit have slipped past each other. Ends: they meet again."""
     DRAIN_TEARING = 25

@@ -61,7 +61,8 @@ pub const VBSS_SESSION_GOAL_RELEASE_TAIL: vbss_session_goal = 13;
 /// jaws.
 pub const VBSS_SESSION_GOAL_DRAW_TAIL: vbss_session_goal = 14;
 /// Both hands pull throw `number` down, the hand in DIRECTION and the other one opposite, each with
-/// `pull_force`. POINT: the slit; `force` that the weaker end misses to that; `length`: gap of the
+/// `pull_force`. If the slit is open under a second or third throw that hangs loose, DIRECTION is to the
+/// other hand's side: from there the throw draws the one below tight. POINT: the slit; `force` that the weaker end misses to that; `length`: gap of the
 /// slit beyond `seat_gap`.
 pub const VBSS_SESSION_GOAL_SEAT: vbss_session_goal = 15;
 /// The hand takes the needle from the other one after throw `number`. POINT, DIRECTION, `distance`
@@ -127,7 +128,7 @@ pub const VBSS_SESSION_MISTAKE_ONE_SIDED: vbss_session_mistake = 21;
 /// A throw has been tied for 5 s, and both of its ends are slack. Ends: both ends are tense, or the
 /// throw is seated.
 pub const VBSS_SESSION_MISTAKE_SLACK: vbss_session_mistake = 22;
-/// The slit has opened under a seated throw. Ends: the throw is seated.
+/// The slit has opened under a seated throw. Ends: the throw is seated, or the next one is tied on it.
 pub const VBSS_SESSION_MISTAKE_SLIT_OPENED: vbss_session_mistake = 23;
 /// The walls of the slit have slipped past each other. Ends: they meet again.
 pub const VBSS_SESSION_MISTAKE_WALLS_CROSSED: vbss_session_mistake = 24;
