@@ -233,7 +233,7 @@ static void carry(stitch *t)
         return;
     }
     if (t->support == SUPPORT_UNDER && felt(&t->right) > BUMPS) {
-        stitch_aim(t, SITE_RIGHT);
+        stitch_set_error(t, SITE_RIGHT);
         enter_state(t, STITCH_BRING);
         set_fork_again(t);
         return;
@@ -318,7 +318,7 @@ static void enter_wall(stitch *t, double step)
     t->gone += t->misses ? -step : step;
     if (t->misses && t->gone <= -BEFORE) {
         t->misses = false;
-        stitch_aim(t, SITE_RIGHT);
+        stitch_set_error(t, SITE_RIGHT);
         enter_state(t, STITCH_BRING);
         if (++t->missed == TRIES) {
             fail(t, "the right wall is not entered");

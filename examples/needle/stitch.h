@@ -82,7 +82,7 @@ typedef struct stitch_plan {
 void stitch_plan_usual(stitch_plan *plan);
 vbss_result stitch_create(stitch *t, uint64_t seed, const stitch_plan *plan);
 /* Another error of aim at a mark. */
-void stitch_aim(stitch *t, int side);
+void stitch_set_error(stitch *t, int side);
 /* Tells both hands what to do in the coming step, and moves their tools. */
 vbss_result stitch_lead(stitch *t, double dt);
 /* Looks at what it did. */

@@ -41,7 +41,7 @@ static vbss_result make_hands(stitch *t, const hand_nature *nature, bool free_le
 }
 
 /* It lies in the wall. */
-void stitch_aim(stitch *t, int side)
+void stitch_set_error(stitch *t, int side)
 {
     double angle = between(&t->random, 0.0, 6.283185307179586);
     vec along = v3(0.0, 1.0, 0.0), up = v_cross(site_normal_at_rest(&t->site, side), along);
@@ -77,7 +77,7 @@ vbss_result stitch_create(stitch *t, uint64_t seed, const stitch_plan *plan)
     t->target_at = target_at;
     t->random = random;
     for (int side = 0; side < 2; side++) {
-        stitch_aim(t, side);
+        stitch_set_error(t, side);
         t->marks[side] = site_mark(&t->site, side);
     }
     t->held.q[0] = 1.0;

@@ -5,7 +5,7 @@
 #define TAIL_SHORT 15e-3
 #define TAIL_LONG 20e-3
 #define TAIL_JAMMED 22.5e-3 /* what has jammed at 22 mm, and is eased */
-#define GAP_OPEN 2e-3
+#define GAP_OPEN 1.5e-3
 #define GAP_SHUT 0.5e-3
 #define GAP_HELD 1e-3 /* under the double: with less the second throw is pulled from behind */
 #define BESIDE v3(0.0, 3e-3, 0.0) /* the marks, of one who misses them: along the drain */
