@@ -79,6 +79,12 @@
 /* Radius of the circle that WIND keeps over the one at which the thread is taut, so that a drain that moves does not draw it.
  * Unit: 1, relative to the free length of the thread. Origin: chosen, of the scripted surgeon. Test: session.assistance. */
 #define SESSION_WIND_SNUG VBSS_TUNE(SESSION_WIND_SNUG, 0.92)
+/* Tension of the limb from which WIND comes nearer to the jaws as it winds, and the radius that it goes to: a limb that is pulled draws
+ * the tail into the stitch.
+ * Unit: N; 1, relative to the present radius. Origin: chosen: less than friction in both holes holds (0.25 N each); in the sum of some
+ * steps nearer than any limb is short. Test: session.assistance. */
+#define SESSION_WIND_PULL VBSS_TUNE(SESSION_WIND_PULL, 0.1)
+#define SESSION_WIND_NEARER VBSS_TUNE(SESSION_WIND_NEARER, 0.9)
 /* Time for which WIND stops when turns have come off: a hand that winds on draws the thread out.
  * Unit: s. Origin: chosen: longer than a movement and the reaction to the coach. Test: session.assistance. */
 #define SESSION_WIND_PAUSE VBSS_TUNE(SESSION_WIND_PAUSE, 2.0)
