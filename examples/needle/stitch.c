@@ -25,8 +25,10 @@
 #define BEARS 0.1 /* N: a hand whose fork bears the wall feels more, once that is pressed for */
 #define PRESSED 0.5 /* so many s */
 #define BORNE 1.5   /* s: after that time on the fork the right wall is at rest */
-#define BUMPS 1.5 /* N: a hand whose needle comes to the mark feels more: it is at the other tool */
-#define NEARER 0.05 /* of the left shaft's point, on a further try, m */
+#define BUMPS \
+    1.5 /* N: felt on the way to the mark, more than that means that the needle is at the other tool */
+#define NEARER \
+    0.05 /* m, by which the left shaft comes from farther on the near side after a failed try */
 #define MISSED 6e-3 /* of the tip beyond the right mark without a hole; it enters at 2 to 3 mm */
 #define SQUARE \
     0.75 /* cosine between needle and wall, beyond which the needle was square to it once; */
@@ -197,7 +199,7 @@ static void enter_support(stitch *t, stitch_support support)
     t->support_since = 0.0;
 }
 
-/* Over the slit, and in by it once more, from farther on the near side: there the shaft is not in the needle's way. */
+/* The fork goes over the slit and in again, from farther on the near side, where its shaft is not in the needle's way. */
 static void set_fork_again(stitch *t)
 {
     hand_target(&t->left, t->left.nature.target_end);
@@ -279,8 +281,7 @@ static void try_again(stitch *t, yielding how)
     vec along = v3(0.0, 1.0, 0.0);
     vec up = v_cross(along, site_normal_at_rest(&t->site, SITE_LEFT));
     const int place = t->again % PLACES;
-    if (place ==
-        PLACES - 1) { /* all have been tried: from the usual one on again, with a surer aim */
+    if (place == PLACES - 1) { /* all have been tried: the usual one again, with a smaller error */
         t->fork = v3(0.0, 0.0, 0.0);
     } else if (how == LEAVES) {
         t->fork = v_along(t->fork, -LOWER, up);
@@ -294,7 +295,7 @@ static void try_again(stitch *t, yielding how)
     }
     t->trim = v3(0.0, 0.0, 0.0);
     t->square = 0.0;
-    t->again++; /* who comes again has seen what was missed */
+    t->again++; /* the hand has seen its error, so the next one is smaller */
     hand_target(&t->left, t->left.nature.target_end / (1 + t->again));
     t->errors[SITE_LEFT] = v_scale(0.5, t->errors[SITE_LEFT]);
     enter_state(t, STITCH_EASE);

@@ -46,7 +46,7 @@ typedef struct stitch {
     double since, support_since; /* s in the state */
     int tries;                   /* to take it */
     const char *why;
-    pose held;        /* the needle in the frame of what the right tool was told */
+    pose held;        /* the needle in the frame of the pose that the right tool is commanded to */
     pose from;        /* of the right tool, when it lifts */
     vec beside;       /* so far from both marks it is stitched, knowingly */
     bool withdraws;   /* and knowingly drawn back out of the first wall */

@@ -1,7 +1,7 @@
 /* A stitch as it begins: the site, and both hands with their tools. */
 #include "needle/stitch.h"
 
-#define JAW_RADIUS 0.25e-3             /* fine enough to take what lies flat on a floor */
+#define JAW_RADIUS 0.25e-3 /* fine enough to take a needle that lies flat on the floor */
 #define LEFT_POINT v3(0.56, 0.0, 0.83) /* so that it opens along the drain */
 #define NECK 5e-3 /* of the left tool, if it has no trocar and shall be wound about */
 #define FORK 0.56 /* of the left handle: a needle goes between its jaws */
@@ -40,7 +40,7 @@ static vbss_result make_hands(stitch *t, const hand_nature *nature, bool free_le
     return VBSS_OK;
 }
 
-/* It lies in the wall. */
+/* The error lies in the plane of the wall. */
 void stitch_set_error(stitch *t, int side)
 {
     double angle = between(&t->random, 0.0, 6.283185307179586);

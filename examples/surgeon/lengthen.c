@@ -1,22 +1,19 @@
-#include "surgeon/lengthen.h"
+#include "surgeon/surgeon.h"
 
 #include <string.h>
 
-#define SLACK 15e-3      /* of the needle, toward the drain, m */
-#define FROM_HOLE 4.5e-3 /* where the tail is taken */
-#define WANTED 18.5e-3   /* of the tail in the end */
+#define SLACK 15e-3      /* m, by which the needle comes nearer to the drain */
+#define FROM_HOLE 4.5e-3 /* m, to where the tail is taken */
 #define OPENING 0.6      /* of the handle */
 #define COMING 0.06      /* m/s */
-#define GIVING 0.05
-#define DRAWING 0.012
-#define EASING 0.01
-#define UP 0.7        /* of the direction in which it is drawn, for 1 along the tail */
+#define GIVING 0.05      /* m/s, of the needle */
+#define DRAWING 0.012    /* m/s, of the jaws with the tail */
+#define EASING 0.01      /* m/s, back toward the hole */
+#define UP 0.7 /* height for a length of 1 along the tail, of the direction in which it is drawn */
 #define TOO_HARD 1.5  /* N */
-#define MINDS 0.4     /* N: a hand on its way to the tail that feels more draws back */
 #define NOTHING 0.03  /* N */
-#define OFF 20e-3     /* m: of jaws that have let go */
+#define OFF 20e-3     /* m, upward, of jaws that have let go */
 #define PATIENCE 12.0 /* s, of every state */
-#define STEEP v3(-0.15, -0.02, 0.2) /* on the line of the left shaft */
 
 const char *lengthen_name(lengthen_state state)
 {
@@ -46,7 +43,7 @@ void lengthen_begin(lengthen_run *l, pull_run *pull, senses *see)
     l->needle = site_needle(&pull->stitch->site);
     vec mark = site_mark(&pull->stitch->site, SITE_LEFT);
     l->needle.at = v_along(l->needle.at, SLACK, v_unit(v_sub(mark, l->needle.at)));
-    hand_through(w, seen(w, STEEP));
+    hand_through(w, seen(w, SURGEON_STEEP));
     enter(l, LENGTHEN_SLACK);
 }
 
@@ -74,7 +71,7 @@ static void draw(lengthen_run *l, double dt)
     const bool hard = v_length(w->felt) > TOO_HARD;
     l->carrot = v_along(l->carrot, hard ? 0.0 : DRAWING * dt, l->away);
     hand_go(w, l->carrot, COMING);
-    if (l->pull->tail > WANTED) {
+    if (l->pull->tail > PULL_TAIL) {
         enter(l, LENGTHEN_EASE);
     } else if (!senses_holds(l->see, w)) {
         enter(l, LENGTHEN_FAILED);
@@ -115,7 +112,7 @@ void lengthen_step(lengthen_run *l, double dt)
     case LENGTHEN_SLACK:
         if (hold_off(at, &l->needle) < 3e-3 || l->since > 2.0) {
             catch_begin(&l->grip, l->see, l->see->w, place(l), OPENING, COMING);
-            l->grip.minds = MINDS;
+            l->grip.minds = SURGEON_MINDS;
             enter(l, LENGTHEN_TAKE);
         }
         break;

@@ -12,7 +12,6 @@
 #define LEAVING v3(-5e-3, 0.0, 9e-3) /* so, m for each rad */
 #define RISE 0.03                    /* m */
 #define DRAWING 0.05                 /* m/s, of the needle away from the drain */
-#define SHORT 18.5e-3                /* of the tail in the end */
 #define LONGEST 0.135                /* of what is drawn */
 /* A tail whose end lies under the drain sticks, since what draws it presses the drain on it; the drain goes along then, and when
  * the thread comes free it runs on by as much. N; of the tail, which will do then; of the speed. */
@@ -141,7 +140,7 @@ static void draw(pull_run *p, double dt)
 {
     stitch *t = p->stitch;
     vec mark = site_mark(&t->site, SITE_LEFT);
-    double slow = clamp((p->tail - SHORT) / 10e-3, 0.1, 1.0);
+    double slow = clamp((p->tail - PULL_TAIL) / 10e-3, 0.1, 1.0);
     double felt = v_length(t->right.felt);
     bool sticks = felt > STICKS;
     p->jammed = felt > JAMS && p->tail >= WILL_DO && p->tail < JAMMED_WILL_DO;
@@ -154,7 +153,7 @@ static void draw(pull_run *p, double dt)
     vec to = v_along(mark, p->drawn, away_from_drain());
     needle.at = v_add(p->from.at, v_limit(v_sub(to, p->from.at), 1.0));
     hold_steer(&t->right, &p->held, &needle, CARRY);
-    if (p->tail < SHORT || (sticks && p->tail < WILL_DO) || p->jammed) {
+    if (p->tail < PULL_TAIL || (sticks && p->tail < WILL_DO) || p->jammed) {
         enter(p, PULL_EASE);
     }
 }

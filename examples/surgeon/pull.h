@@ -5,6 +5,8 @@
 
 #include "needle/stitch.h"
 
+#define PULL_TAIL 18.5e-3 /* length of the tail in the end, m */
+
 typedef enum pull_state {
     PULL_REACH, /* the left hand to before the tip */
     PULL_ONTO,  /* its jaws on either side */

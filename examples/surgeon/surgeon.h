@@ -11,6 +11,8 @@
 #include "throw/cut.h"
 #include "throw/throw.h"
 
+/* On the line of the left shaft when its jaws take a tail that lies on the drain and beyond. */
+#define SURGEON_STEEP v3(-0.15, -0.02, 0.2)
 #define SURGEON_MINDS 0.4 /* N: a hand on its way to the tail that feels more draws back */
 
 typedef enum surgeon_stage {

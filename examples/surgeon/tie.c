@@ -4,7 +4,6 @@
 /* Where a line through the shaft of W goes, which is the left tool in the first throw: level while it is wound about and draws, steep when it takes the tail,
  * which lies on the drain and beyond. */
 #define LEVEL v3(-0.3, 0.03, 0.07)
-#define STEEP v3(-0.15, -0.02, 0.2)
 /* Of W when it takes the tail of a tied throw, which hangs down to the right: its jaws are across that, not along it. */
 #define OVER_TAIL v3(0.03, -0.12, 0.22)
 #define NEAR_SIDE \
@@ -105,7 +104,7 @@ static void sway(surgeon *s, double dt)
     hand *h = s->see.w;
     bool steep = s->tie.state == THROW_TAIL || s->tie.state == THROW_CLOSE;
     bool back = s->tie.plan.back && s->tie.state >= THROW_LOWER;
-    vec down = s->stage == SURGEON_TIE || s->tie.plan.wrong ? STEEP : OVER_TAIL;
+    vec down = s->stage == SURGEON_TIE || s->tie.plan.wrong ? SURGEON_STEEP : OVER_TAIL;
     vec lag = v_sub(seen(h, back ? NEAR_SIDE : steep ? down : LEVEL), h->trocar);
     hand_through(h, v_add(h->trocar, v_limit(lag, SWAY * h->nature.speed * dt)));
 }

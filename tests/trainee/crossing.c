@@ -1,5 +1,6 @@
 /* The pull from behind: both hands go round the slit to where the throw below was pulled from, the tail's hand by the near side and the
- * needle's hand by the far one, with both ends slack. From there what is below is drawn tight again; pulled flat it stays open. */
+ * needle's hand by the far one, with both ends slack. Pulled from
+ * there, the new throw draws the one below tight. Pulled with each hand on its own side, it leaves that one open. */
 #include "trainee/trainee.h"
 
 #include <math.h>
