@@ -111,7 +111,8 @@ struct drain_object {
     uint32_t tangent, attempt_tangent, saved_tangent;
 
     /* derived data */
-    const vbss_system *factored_in; /* the system that has the factor of the attempt's tangent, or NULL */
+    const vbss_system
+        *factored_in;   /* the system that has the factor of the attempt's tangent, or NULL */
     bool keeps_tangent; /* in the last linearisation: its matrix is that of an earlier one */
     bool is_sparsity_valid;
     uint8_t *anchored;   /* per node: 1 if it is an anchor that has not torn */
