@@ -262,6 +262,9 @@ typedef struct vbss_drain_statistics {
     /** Largest displacement by the last correction of the last part, m: the remaining error is smaller. */
     double last_correction;
     double time; /**< Simulated time, s. */
+    /** New matrices: a linearisation keeps the matrix of an earlier one while no node is farther than
+     * 0.05 move_limit from where it was then. Method VBLAST: zero. */
+    uint64_t matrices;
 } vbss_drain_statistics;
 
 #ifdef __cplusplus

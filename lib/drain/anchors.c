@@ -38,6 +38,7 @@ void vbss_drain_tear_anchor(drain_object *d, const vec3 *forces)
         d->torn[worst] = 1;
         d->statistics.torn++;
         d->is_sparsity_valid = false;
+        vbss_drain_drop_tangent(d);
         vbss_drain_update_anchored(d);
     }
 }

@@ -93,14 +93,27 @@ void vbss_drain_compute_internal_forces(drain_object *d, const vec3 *x)
     vbss_shell_add_forces(&d->shell, x, d->internal_forces);
 }
 
-void vbss_drain_assemble(drain_object *d, const drain_substep *substep, vbss_system *s,
-                         uint32_t first)
+/* Also sets the internal forces of the tangent's shape. */
+static void set_matrix(drain_object *d, const drain_substep *substep, vbss_system *s,
+                       uint32_t first)
 {
+    const vec3 *shape = d->tangents[d->attempt_tangent].shape;
     clear_couplings(d, s);
     memset(d->internal_forces, 0, d->mesh.node_count * sizeof *d->internal_forces);
     memset(d->diagonal, 0, d->mesh.node_count * sizeof *d->diagonal);
-    vbss_shell_assemble(&d->shell, d->trial, d->internal_forces, d->diagonal, s->off_diagonal);
+    vbss_shell_assemble(&d->shell, shape, d->internal_forces, d->diagonal, s->off_diagonal);
     set_diagonal(d, substep, s, first);
+}
+
+void vbss_drain_assemble(drain_object *d, const drain_substep *substep, vbss_system *s,
+                         uint32_t first)
+{
+    if (d->factored_in != s) {
+        set_matrix(d, substep, s, first);
+    }
+    if (d->keeps_tangent) {
+        vbss_drain_compute_internal_forces(d, d->trial);
+    }
     set_rhs(d, substep, s, first);
 }
 

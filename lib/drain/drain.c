@@ -9,7 +9,7 @@
 
 /* ---- memory: the table of arrays */
 
-enum { ARRAY_COUNT = 19 };
+enum { ARRAY_COUNT = 19 + DRAIN_TANGENTS };
 
 static size_t list_arrays(drain_object *d, vbss_array arrays[ARRAY_COUNT])
 {
@@ -27,6 +27,9 @@ static size_t list_arrays(drain_object *d, vbss_array arrays[ARRAY_COUNT])
         {&d->internal_forces, n, sizeof *d->internal_forces},
         {&d->v_substep_start, n, sizeof *d->v_substep_start},
         {&d->contact_forces, n, sizeof *d->contact_forces},
+        {&d->tangents[0].shape, n, sizeof *d->tangents[0].shape},
+        {&d->tangents[1].shape, n, sizeof *d->tangents[1].shape},
+        {&d->tangents[2].shape, n, sizeof *d->tangents[2].shape},
         {&d->saved_x, n, sizeof *d->saved_x},
         {&d->saved_v, n, sizeof *d->saved_v},
         {&d->anchor_forces, anchors, sizeof *d->anchor_forces},

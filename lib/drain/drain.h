@@ -54,6 +54,13 @@ typedef struct drain_elimination_order {
     uint32_t first_coupling, coupling_count;
 } drain_elimination_order;
 
+enum { DRAIN_TANGENTS = 3 };
+/* What the matrix of a drain is of (tangent.c). */
+typedef struct drain_tangent {
+    vec3 *shape; /* positions of the nodes, m */
+    double h;    /* length of the substep, s; 0: there is no matrix */
+} drain_tangent;
+
 typedef struct drain_object drain_object;
 
 /* What the method of a drain does. The table is chosen once, when a drain is created. */
@@ -99,8 +106,14 @@ struct drain_object {
     uint32_t last_id;
     vec3 *contact_forces; /* per node: contact force in the last step, N; zero outside a scene */
     vbss_drain_statistics statistics;
+    /* Which of them is that of the state, of the running attempt, and of the checkpoint. */
+    drain_tangent tangents[DRAIN_TANGENTS];
+    uint32_t tangent, attempt_tangent, saved_tangent;
 
     /* derived data */
+    const vbss_system
+        *factored_in;   /* the system that has the factor of the attempt's tangent, or NULL */
+    bool keeps_tangent; /* in the last linearisation: its matrix is that of an earlier one */
     bool is_sparsity_valid;
     uint8_t *anchored;   /* per node: 1 if it is an anchor that has not torn */
     vbss_system *system; /* system of a drain that is stepped on its own */
@@ -224,8 +237,9 @@ typedef struct drain_substep {
 /* Computes internal_forces for nodes at `x`, N. */
 void vbss_drain_compute_internal_forces(drain_object *d, const vec3 *x);
 
-/* Assembles matrix and right-hand side at the trial state. Leaves its internal forces in
- * internal_forces. `first`: first block of the drain. */
+/* Assembles the right-hand side at the trial state, and the matrix at the shape of the tangent if the system does
+ * not have its factor. Leaves the internal forces of the trial state in internal_forces. `first`: first block of
+ * the drain. */
 void vbss_drain_assemble(drain_object *d, const drain_substep *substep, vbss_system *s,
                          uint32_t first);
 
@@ -233,6 +247,31 @@ void vbss_drain_assemble(drain_object *d, const drain_substep *substep, vbss_sys
  * in internal_forces. */
 void vbss_drain_assemble_rhs(drain_object *d, const drain_substep *substep, vbss_system *s,
                              uint32_t first);
+
+/* ---- tangent.c */
+
+/* Begins an attempt: its tangent is that of the state. */
+void vbss_drain_begin_tangent(drain_object *d);
+
+/* Sets keeps_tangent: the tangent is of substeps of `h` seconds, and no node of the trial state is farther than
+ * `distance` (m) from its shape. If not, the tangent becomes that of the trial state. */
+void vbss_drain_choose_tangent(drain_object *d, double h, double distance);
+
+/* The distance from which on a new matrix is due, m. */
+static inline double vbss_drain_tangent_distance(const drain_object *d)
+{
+    return DRAIN_TANGENT_RATIO * d->config.move_limit;
+}
+
+/* Makes the tangent of an attempt that of the state. */
+void vbss_drain_commit_tangent(drain_object *d);
+
+/* Before a step, and after it has failed. */
+void vbss_drain_checkpoint_tangent(drain_object *d);
+void vbss_drain_rollback_tangent(drain_object *d);
+
+/* After an edit, or when an anchor has torn: the next matrix is a new one. */
+void vbss_drain_drop_tangent(drain_object *d);
 
 /* ---- reactions.c */
 

@@ -61,12 +61,14 @@ static vbss_result run_step(drain_object *d, double h)
     size_t bytes = d->mesh.node_count * sizeof *d->x;
     memcpy(d->saved_x, d->x, bytes);
     memcpy(d->saved_v, d->v, bytes);
+    vbss_drain_checkpoint_tangent(d);
     d->statistics.last_move = 0.0;
     vbss_result result = d->method->step_drain(d, h);
     if (result != VBSS_OK) {
         d->statistics = before;
         memcpy(d->x, d->saved_x, bytes);
         memcpy(d->v, d->saved_v, bytes);
+        vbss_drain_rollback_tangent(d);
         return result;
     }
     vbss_drain_finish_step(d, h);
@@ -104,6 +106,7 @@ void vbss_drain_invalidate(drain_object *d)
 {
     d->generation++;
     d->edit_generation++;
+    vbss_drain_drop_tangent(d);
 }
 
 vbss_result vbss_drain_set_state(vbss_drain *drain, const double *positions,

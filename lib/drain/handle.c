@@ -3,7 +3,7 @@
 #include "base/stream.h"
 #include "drain/drain.h"
 
-const vbss_kind vbss_drain_kind = {"drain",         VBSS_CODE('D', 'R', 'A', 'N'), 1,
+const vbss_kind vbss_drain_kind = {"drain",         VBSS_CODE('D', 'R', 'A', 'N'), 2,
                                    vbss_drain_free, vbss_drain_serialise,          NULL};
 
 vbss_result vbss_drain_open(const vbss_drain *handle, drain_object **drain)

@@ -128,6 +128,26 @@ static void check_consistency(vbss_stream *stream, const drain_object *d)
     }
 }
 
+/* What the matrix is of. Older libraries made it anew in each linearisation. */
+static void visit_tangent(vbss_stream *stream, drain_object *d)
+{
+    drain_tangent *now = &d->tangents[d->tangent];
+    if (stream->version >= 2) {
+        vbss_stream_f64(stream, 8, &now->h, 1);
+        vbss_stream_u64(stream, 49, &d->statistics.matrices, 1);
+    } else {
+        now->h = 0.0;
+        d->statistics.matrices = d->statistics.linearisations;
+    }
+    if (now->h != 0.0) {
+        vbss_stream_f64(stream, 9, &now->shape[0].x, 3 * (size_t)d->mesh.node_count);
+    }
+    if (stream->mode == VBSS_STREAM_READ) {
+        d->attempt_tangent = d->saved_tangent = d->tangent;
+        d->factored_in = NULL;
+    }
+}
+
 void vbss_drain_serialise(vbss_stream *stream, void *object)
 {
     drain_object *d = object;
@@ -141,6 +161,7 @@ void vbss_drain_serialise(vbss_stream *stream, void *object)
         visit_attachment(stream, d, &d->attachments[i]);
     }
     visit_statistics(stream, &d->statistics);
+    visit_tangent(stream, d);
     if (is_untrusted(stream)) {
         check_consistency(stream, d);
     }

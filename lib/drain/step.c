@@ -1,8 +1,8 @@
 /* Implicit step of a drain on its own: [assemble -> solve -> correction] -> commit, at half the
  * size where a node would move too far.
  *
- * The tangent is assembled in every step, as an old one fails once the surface has turned by
- * 0.1 to 0.2 rad. The correction solves for new right-hand sides with the old factor and
+ * An old tangent fails once the surface has turned by 0.1 to 0.2 rad, so it is kept for less (tangent.c), and only
+ * in the first linearisation: more of them serve reference solutions. The correction solves for new right-hand sides with the old factor and
  * leaves a tenth of the error. It is dropped if it is not small, as after a snap it may point
  * anywhere (docs/explanation/drain.md). */
 #include "base/error.h"
@@ -22,14 +22,18 @@ typedef struct increment_sizes {
 } increment_sizes;
 
 /* Assembles and solves once, with a correction if nodes have moved. False: there is no solution. */
-static bool linearise(drain_object *d, const drain_substep *substep, increment_sizes *m)
+static bool linearise(drain_object *d, const drain_substep *substep, bool is_first,
+                      increment_sizes *m)
 {
     *m = (increment_sizes){0.0, 0.0};
+    vbss_drain_choose_tangent(d, substep->h, is_first ? vbss_drain_tangent_distance(d) : 0.0);
+    vbss_system_reuse_factor(d->system, 0, d->factored_in == d->system);
     vbss_system_clear(d->system);
     vbss_drain_assemble(d, substep, d->system, 0);
     if (!vbss_system_condense(d->system)) {
         return false;
     }
+    d->factored_in = d->system;
     m->newton = solve_increment(d);
     if (!(m->newton < 1e100)) {
         return false;
@@ -58,8 +62,9 @@ static bool try_substep(drain_object *d, const drain_substep *substep, bool can_
     uint32_t limit = d->config.iteration_limit;
     *exceeds_move_limit = false;
     vbss_drain_reset_trial(d);
+    vbss_drain_begin_tangent(d);
     for (uint32_t k = 0; k < limit; k++) {
-        if (!linearise(d, substep, &m)) {
+        if (!linearise(d, substep, k == 0, &m)) {
             return false;
         }
         d->statistics.linearisations++;
@@ -109,6 +114,7 @@ static vbss_result update_sparsity(drain_object *d)
     uint32_t first;
     if (!d->is_sparsity_valid) {
         vbss_system_begin_pattern(d->system);
+        d->factored_in = NULL;
         VBSS_TRY(vbss_drain_add_to_system(d, d->system, NULL, &first));
         VBSS_TRY(vbss_system_analyse(d->system));
         vbss_drain_set_assembly_map(d, d->system);

@@ -28,6 +28,7 @@ void vbss_drain_apply_increment(drain_object *d, const vbss_system *s, uint32_t 
 void vbss_drain_commit(drain_object *d, double h)
 {
     double max_displacement = 0.0;
+    vbss_drain_commit_tangent(d);
     memcpy(d->v_substep_start, d->v, d->mesh.node_count * sizeof *d->v);
     for (uint32_t i = 0; i < d->mesh.node_count; i++) {
         vec3 displacement = vec3_sub(d->trial[i], d->x[i]);

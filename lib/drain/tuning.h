@@ -13,6 +13,10 @@
 /* A larger correction is dropped.
  * Unit: 1, relative to the increment before. Origin: chosen. Test: session. */
 #define DRAIN_MAX_CORRECTION_RATIO VBSS_TUNE(DRAIN_MAX_CORRECTION_RATIO, 0.5)
+/* The matrix is of an earlier shape until a node is farther from it.
+ * Unit: 1, relative to the configured move limit. Origin: chosen from 0.02 to 0.2: up to 0.1 the scenes of a drain differ from those
+ * with a new matrix in each linearisation by less than these do from the converged ones (docs/notebook/step-time.md). Test: session. */
+#define DRAIN_TANGENT_RATIO VBSS_TUNE(DRAIN_TANGENT_RATIO, 0.05)
 /* A substep that moves a node farther is halved.
  * Unit: 1, relative to the configured move limit. Origin: chosen. Test: none known. */
 #define DRAIN_MAX_MOVE_RATIO VBSS_TUNE(DRAIN_MAX_MOVE_RATIO, 4.0)

@@ -8,10 +8,10 @@
 
 _Static_assert(sizeof(vbss_drain_places) == 32, "published size");
 _Static_assert(sizeof(vbss_drain_energies) == 56, "published size");
-_Static_assert(sizeof(vbss_drain_statistics) == 80, "published size");
+_Static_assert(sizeof(vbss_drain_statistics) == 88, "published size");
 
 static const uint32_t places_sizes[] = {32, 0}, energies_sizes[] = {56, 0};
-static const uint32_t statistics_sizes[] = {80, 0};
+static const uint32_t statistics_sizes[] = {80, 88, 0};
 static const vbss_layout places_layout = {"vbss_drain_places", NULL, places_sizes};
 static const vbss_layout energies_layout = {"vbss_drain_energies", NULL, energies_sizes};
 static const vbss_layout statistics_layout = {"vbss_drain_statistics", NULL, statistics_sizes};

@@ -281,8 +281,8 @@ void vbss_system_reset_separator_couplings(vbss_system *system);
 /* Sets the fill to zero, which no body sets. */
 void vbss_system_clear(vbss_system *system);
 /* Lets the chain of this block keep the factor of the last condense, or ends that. Its body then
- * sets right-hand sides only. Call it before vbss_system_clear, after a successful condense and
- * with no analysis in between. */
+ * sets right-hand sides only. Call it before vbss_system_clear, after a successful condense. Analyses
+ * in between must have followed vbss_system_reset_separator_couplings. */
 void vbss_system_reuse_factor(vbss_system *system, uint32_t block, bool reuse);
 
 /* Eliminates the interior blocks. Returns false if a pivot is too small. */

@@ -460,7 +460,7 @@ static const contract_object object = {
     .outputs = {{32, {0}, write_places},
                 {96, {32}, write_gap},
                 {56, {0}, write_energies},
-                {80, {0}, write_statistics},
+                {88, {80}, write_statistics},
                 {sizeof(vbss_view), {0}, write_view}},
     .calls = {{.call = call_step, .edits = true},
               {.call = call_set_state, .edits = true},

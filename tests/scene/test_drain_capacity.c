@@ -61,7 +61,7 @@ static void step_without_capacity_changes_nothing(void **state)
     }
     assert_true(in_contact > 2);
     crowd enough;
-    begin_crowd(&enough, 13, 2048, VBSS_SCENE_MODE_REAL_TIME); /* its contacts, exactly */
+    begin_crowd(&enough, 15, 2048, VBSS_SCENE_MODE_REAL_TIME); /* its contacts, exactly */
     assert_int_equal(crowd_steps(&enough, STEPS), STEPS);
     small_end(&enough.s);
 }

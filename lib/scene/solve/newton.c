@@ -17,21 +17,40 @@
 /* ---- one linearisation */
 
 /* Parts of the system that an assembly computes. With ASSEMBLE_RHS the matrix is not read. */
-typedef enum assembly_scope {
-    ASSEMBLE_ALL,
-    ASSEMBLE_ALL_BUT_DRAIN_MATRIX,
-    ASSEMBLE_RHS
-} assembly_scope;
+typedef enum assembly_scope { ASSEMBLE_ALL, ASSEMBLE_RHS } assembly_scope;
 
-static void clear_system(scene_object *s, bool reuses_drain_matrix)
+/* Drains that have moved little since an earlier linearisation keep its matrix; over budget, all of them do. */
+static void choose_tangents(scene_object *s)
 {
+    const bool is_over_budget = s->step.newton.over_budget_linearisations > 0;
     for (uint32_t i = 0; i < s->body_count; i++) {
         if (scene_active_kind(&s->bodies[i]) == SCENE_BODY_DRAIN) {
-            vbss_system_reuse_factor(s->system, s->bodies[i].drain.first_block,
-                                     reuses_drain_matrix);
+            scene_drain *b = &s->bodies[i].drain;
+            vbss_drain_choose_tangent(b->drain, b->substep.h,
+                                      is_over_budget ? (double)INFINITY
+                                                     : vbss_drain_tangent_distance(b->drain));
+        }
+    }
+}
+
+static void clear_system(scene_object *s)
+{
+    for (uint32_t i = 0; i < s->body_count; i++) {
+        const scene_drain *b = &s->bodies[i].drain;
+        if (scene_active_kind(&s->bodies[i]) == SCENE_BODY_DRAIN) {
+            vbss_system_reuse_factor(s->system, b->first_block, b->drain->factored_in == s->system);
         }
     }
     vbss_system_clear(s->system);
+}
+
+static void assemble_drain(scene_drain *b, vbss_system *system, assembly_scope scope)
+{
+    if (scope == ASSEMBLE_RHS) {
+        vbss_drain_assemble_rhs(b->drain, &b->substep, system, b->first_block);
+    } else {
+        vbss_drain_assemble(b->drain, &b->substep, system, b->first_block);
+    }
 }
 
 static void assemble(scene_object *s, const scene_substep *substep, assembly_scope scope)
@@ -40,7 +59,7 @@ static void assemble(scene_object *s, const scene_substep *substep, assembly_sco
                                   substep->end_fraction};
     vbss_system *system = s->system;
     if (scope != ASSEMBLE_RHS) {
-        clear_system(s, scope == ASSEMBLE_ALL_BUT_DRAIN_MATRIX);
+        clear_system(s);
     }
     for (uint32_t i = 0; i < s->body_count; i++) {
         scene_body *b = &s->bodies[i];
@@ -63,11 +82,8 @@ static void assemble(scene_object *s, const scene_substep *substep, assembly_sco
                                 &b->rigid.blocks);
         } else if (scene_active_kind(b) == SCENE_BODY_RIGID) {
             vbss_scene_assemble_surface(s, &b->rigid);
-        } else if (scene_active_kind(b) == SCENE_BODY_DRAIN && scope != ASSEMBLE_ALL) {
-            vbss_drain_assemble_rhs(b->drain.drain, &b->drain.substep, system,
-                                    b->drain.first_block);
         } else if (scene_active_kind(b) == SCENE_BODY_DRAIN) {
-            vbss_drain_assemble(b->drain.drain, &b->drain.substep, system, b->drain.first_block);
+            assemble_drain(&b->drain, system, scope);
         }
     }
 }
@@ -88,20 +104,43 @@ static bool drop_compression_stiffness(scene_object *s)
     return has_dropped;
 }
 
-static uint32_t cost(const scene_object *s, uint32_t triangle_cost)
+/* Of an assembly of all but the matrices of drains. */
+static uint32_t cost_of_rhs(const scene_object *s)
 {
     uint32_t sum = SCENE_NODE_COST * s->node_count + SCENE_CONSTRAINT_COST * s->contacts->count;
     for (uint32_t i = 0; i < s->body_count; i++) {
         if (scene_active_kind(&s->bodies[i]) == SCENE_BODY_DRAIN) {
-            sum += triangle_cost * s->bodies[i].drain.drain->mesh.triangle_count;
+            sum += SCENE_CORRECTION_COST * s->bodies[i].drain.drain->mesh.triangle_count;
         }
+    }
+    return sum;
+}
+
+static uint32_t cost_of_matrix(const scene_body *b)
+{
+    return scene_active_kind(b) == SCENE_BODY_DRAIN
+               ? (SCENE_TRIANGLE_COST - SCENE_CORRECTION_COST) * b->drain.drain->mesh.triangle_count
+               : 0;
+}
+
+static uint32_t cost_of_new_matrices(const scene_object *s)
+{
+    uint32_t sum = 0;
+    for (uint32_t i = 0; i < s->body_count; i++) {
+        sum += s->bodies[i].kind == SCENE_BODY_DRAIN && !s->bodies[i].drain.drain->keeps_tangent
+                   ? cost_of_matrix(&s->bodies[i])
+                   : 0;
     }
     return sum;
 }
 
 uint32_t vbss_scene_linearisation_cost(const scene_object *s)
 {
-    return cost(s, SCENE_TRIANGLE_COST);
+    uint32_t sum = cost_of_rhs(s);
+    for (uint32_t i = 0; i < s->body_count; i++) {
+        sum += cost_of_matrix(&s->bodies[i]);
+    }
+    return sum;
 }
 
 /* Operations that a search may use: the step budget minus one more linearisation with a solve,
@@ -151,28 +190,34 @@ static scene_substep_outcome solve_active_set(scene_object *s)
     return outcome == CONTACT_NOT_CONVERGED ? SCENE_SUBSTEP_NO_ACTIVE_SET : SCENE_SUBSTEP_ACCEPTED;
 }
 
-/* Assembles and condenses the system. Over budget, drains keep their matrix of the linearisation
- * before, as they have moved little since; only their right-hand sides are new. */
+static void note_factors(scene_object *s)
+{
+    for (uint32_t i = 0; i < s->body_count; i++) {
+        if (scene_active_kind(&s->bodies[i]) == SCENE_BODY_DRAIN) {
+            s->bodies[i].drain.drain->factored_in = s->system;
+        }
+    }
+}
+
+/* Assembles and condenses the system. */
 static scene_substep_outcome linearise(scene_object *s, const scene_substep *substep)
 {
     scene_newton_state *newton = &s->step.newton;
-    assembly_scope scope =
-        newton->over_budget_linearisations > 0 ? ASSEMBLE_ALL_BUT_DRAIN_MATRIX : ASSEMBLE_ALL;
     newton->search_budget = find_search_budget(s);
     newton->starts_from_current = newton->linearisations > 0;
-    vbss_scene_charge_budget(s,
-                             cost(s, newton->over_budget_linearisations > 0 ? SCENE_CORRECTION_COST
-                                                                            : SCENE_TRIANGLE_COST));
-    assemble(s, substep, scope);
+    choose_tangents(s);
+    vbss_scene_charge_budget(s, cost_of_rhs(s) + cost_of_new_matrices(s));
+    assemble(s, substep, ASSEMBLE_ALL);
     vbss_scene_set_weld_arms(s);
     s->report.statistics.linearisations++;
     while (!vbss_system_condense(s->system)) {
         if (!drop_compression_stiffness(s)) {
             return SCENE_SUBSTEP_SINGULAR;
         }
-        assemble(s, substep, scope);
+        assemble(s, substep, ASSEMBLE_ALL);
         vbss_scene_set_weld_arms(s);
     }
+    note_factors(s);
     return SCENE_SUBSTEP_ACCEPTED;
 }
 
@@ -338,7 +383,7 @@ static void begin_correction(scene_object *s, const scene_substep *substep)
 {
     s->step.newton.search_budget = find_search_budget(s);
     s->step.newton.starts_from_current = s->step.newton.has_correction = true;
-    vbss_scene_charge_budget(s, cost(s, SCENE_CORRECTION_COST));
+    vbss_scene_charge_budget(s, cost_of_rhs(s));
     vbss_contact_save_solution(s->contacts);
     assemble(s, substep, ASSEMBLE_RHS);
     vbss_scene_set_weld_arms(s);
@@ -538,6 +583,9 @@ scene_substep_outcome vbss_scene_solve(scene_object *s, const scene_substep *sub
         if (scene_active_kind(&s->bodies[i]) == SCENE_BODY_THREAD &&
             s->bodies[i].thread.thread->config.rest_curvature > 0.0) {
             vbss_thread_update_rest_curvature_forces(s->bodies[i].thread.thread);
+        }
+        if (scene_active_kind(&s->bodies[i]) == SCENE_BODY_DRAIN) {
+            vbss_drain_begin_tangent(s->bodies[i].drain.drain);
         }
     }
     reset_newton(&s->step.newton);

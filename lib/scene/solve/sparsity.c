@@ -414,6 +414,15 @@ void vbss_scene_number_blocks(scene_object *s)
     }
 }
 
+static void drop_factors(scene_object *s)
+{
+    for (uint32_t i = 0; i < s->body_count; i++) {
+        if (s->bodies[i].kind == SCENE_BODY_DRAIN) {
+            s->bodies[i].drain.drain->factored_in = NULL;
+        }
+    }
+}
+
 /* Registers bodies only if they or their separators have changed; else drops the couplings
  * of contacts. */
 static vbss_result begin_pattern(scene_object *s, bool same_bodies)
@@ -423,6 +432,7 @@ static vbss_result begin_pattern(scene_object *s, bool same_bodies)
         return VBSS_OK;
     }
     vbss_system_begin_pattern(s->system);
+    drop_factors(s);
     VBSS_TRY(register_bodies(s));
     list_welds(s);
     return VBSS_OK;

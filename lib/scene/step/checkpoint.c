@@ -119,6 +119,7 @@ void vbss_scene_checkpoint_drain(scene_drain *b)
     memcpy(d->saved_x, d->x, bytes);
     memcpy(d->saved_v, d->v, bytes);
     memcpy(d->v_substep_start, d->v, bytes); /* in case all of its substeps are rejected */
+    vbss_drain_checkpoint_tangent(d);
     b->checkpoint.statistics = d->statistics;
 }
 
@@ -128,6 +129,7 @@ void vbss_scene_rollback_drain(scene_drain *b)
     size_t bytes = d->mesh.node_count * sizeof *d->x;
     memcpy(d->x, d->saved_x, bytes);
     memcpy(d->v, d->saved_v, bytes);
+    vbss_drain_rollback_tangent(d);
     d->statistics = b->checkpoint.statistics;
 }
 

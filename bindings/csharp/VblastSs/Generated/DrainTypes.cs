@@ -700,5 +700,10 @@ namespace VblastSs
         public double LastCorrection;
         /// <summary>Simulated time, s.</summary>
         public double Time;
+        /// <summary>
+        /// New matrices: a linearisation keeps the matrix of an earlier one while no node is
+        /// farther than 0.05 move_limit from where it was then. Method VBLAST: zero.
+        /// </summary>
+        public ulong Matrices;
     }
 }

@@ -482,7 +482,10 @@ class vbss_drain_statistics(ctypes.Structure):
     last_correction: Largest displacement by the last correction of the last part, m: the
     remaining error is smaller.
 
-    time: Simulated time, s."""
+    time: Simulated time, s.
+
+    matrices: New matrices: a linearisation keeps the matrix of an earlier one while no node is
+    farther than 0.05 move_limit from where it was then. Method VBLAST: zero."""
     struct_size: int
     torn: int
     inverted: int
@@ -495,6 +498,7 @@ class vbss_drain_statistics(ctypes.Structure):
     last_move: float
     last_correction: float
     time: float
+    matrices: int
     _kinds_: ClassVar[dict[str, Any]] = {}
     _fields_ = [
         ("struct_size", c_uint32),
@@ -509,6 +513,7 @@ class vbss_drain_statistics(ctypes.Structure):
         ("last_move", c_double),
         ("last_correction", c_double),
         ("time", c_double),
+        ("matrices", c_uint64),
     ]
 
 
@@ -524,6 +529,7 @@ class DrainStatistics(NamedTuple):
     last_move: float
     last_correction: float
     time: float
+    matrices: int
 
 
 FUNCTIONS: dict[str, tuple[Any, tuple[Any, ...]]] = {

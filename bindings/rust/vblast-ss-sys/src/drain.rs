@@ -310,6 +310,9 @@ pub struct vbss_drain_statistics {
     pub last_correction: f64,
     /// Simulated time, s.
     pub time: f64,
+    /// New matrices: a linearisation keeps the matrix of an earlier one while no node is farther than
+    /// 0.05 move_limit from where it was then. Method VBLAST: zero.
+    pub matrices: u64,
 }
 
 extern "C" {
