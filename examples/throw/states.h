@@ -11,6 +11,9 @@
 #define DRAWN_ROUND (PI * 160.0 / 180.0)
 #define RAISED (PI * 110.0 / 180.0)
 
+/* m, that the drain has gone by, with the limb about W's jaws: it would go on as far as W does. */
+#define THROW_DRAGGED 12e-3
+
 void throw_enter(throw_run *t, throw_state state);
 /* Once more, from the beginning, if it is not too late. */
 void throw_fail(throw_run *t, const char *why);
@@ -27,6 +30,7 @@ void throw_unwind(throw_run *t);
 /* W opens its jaws, and takes the tail at a node, for another time. */
 void throw_take_tail(throw_run *t, uint32_t node);
 void throw_tail(throw_run *t, double dt);
+void throw_take_again(throw_run *t, double dt);
 vbss_result throw_close(throw_run *t, double dt);
 vbss_result throw_draw(throw_run *t, double dt);
 
