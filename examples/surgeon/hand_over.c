@@ -139,7 +139,7 @@ static vbss_result find_taken_up(const hand_over *o, uint32_t *nodes)
     return VBSS_OK;
 }
 
-/* What was as open before is not pulled again for it. */
+/* A slit that was as open before does not count. */
 static vbss_result has_sprung(const hand_over *o, bool *sprung)
 {
     const bool opened = o->slit > OPEN && o->slit > o->slit_held + OPENED;

@@ -103,8 +103,8 @@ vbss_result surgeon_begin_hand_over(surgeon *s);
 /* Of the single that comes next; `limb`: its length, m. */
 void surgeon_plan_later(const surgeon *s, double limb, throw_plan *plan);
 vbss_result surgeon_begin_later(surgeon *s);
-/* Reads what is tied. With the needle where the throw of this stage needs it, begins that throw; if one below it has come undone, begins
- * what is needed to tie that again. */
+/* Counts the throws. Begins the throw of this stage; if one below it has come undone, takes the needle to the hand that ties that one
+ * again. */
 vbss_result surgeon_begin_next(surgeon *s);
 /* True if surely fewer throws are tied than the throw of this stage needs below it. */
 vbss_result surgeon_read_throws(surgeon *s, bool *is_undone);

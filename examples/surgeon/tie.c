@@ -38,7 +38,7 @@
 #define INWARD 0.3   /* of ahead: the thread on the orbit */
 #define A_MOMENT 0.3 /* s */
 
-enum { CHECKED = 100 }; /* steps, between two readings of what is tied */
+enum { CHECKED = 100 }; /* steps, between two counts of the throws */
 
 /* Where the thread goes through the drain, as places along it from the tail's end. */
 static void find_marks(surgeon *s)
@@ -195,7 +195,7 @@ static void watch_slit(surgeon *s, double dt)
     }
 }
 
-/* A throw below may come undone while the limb is wound. What would be drawn through then is tied on nothing. */
+/* A throw below may come undone while the limb is wound. The next would be tied on nothing. */
 static vbss_result watch_below(surgeon *s)
 {
     const throw_run *t = &s->tie;

@@ -11,7 +11,7 @@
 #define DRAWN_ROUND (PI * 160.0 / 180.0)
 #define RAISED (PI * 110.0 / 180.0)
 
-/* m, that the drain has gone by, with the limb about W's jaws: it would go on as far as W does. */
+/* m: a drain that has gone so far, with the limb about W's jaws or as both pull, would go on as far as the hand does. */
 #define THROW_DRAGGED 12e-3
 
 void throw_enter(throw_run *t, throw_state state);

@@ -113,7 +113,7 @@ void throw_fail(throw_run *t, const char *why)
     throw_enter(t, again ? THROW_UNWIND : THROW_FAILED);
 }
 
-/* Negative: the limb bends about a straight tail. Which throw is uppermost can be told of certain ones only. */
+/* Negative: the limb bends about a straight tail. */
 static vbss_result read_slip(throw_run *t)
 {
     senses_knot k;
