@@ -445,6 +445,16 @@ void throw_pull_again(throw_run *t)
     throw_enter(t, THROW_SEAT);
 }
 
+void throw_pull_evenly(throw_run *t)
+{
+    t->pulls++;
+    t->plan.back = t->plan.raised = false;
+    t->plan.down = t->plan.even = true;
+    t->plan.pull = FULL;
+    t->closed = 0.0;
+    begin_seat(t);
+}
+
 /* Toward where its thread comes out of the knot. */
 static void loosen(hand *h, const hand_pose *p, vec *carrot, vec root, double dt)
 {

@@ -35,6 +35,8 @@ vbss_result throw_close(throw_run *t, double dt);
 vbss_result throw_draw(throw_run *t, double dt);
 
 /* ---- seat.c: down on the drain, and tight */
+/* A loose throw, whose tail is not raised: it holds then, and none of its ends becomes straight. */
+void throw_pull_evenly(throw_run *t);
 void throw_lower(throw_run *t, double dt);
 void throw_seat(throw_run *t, double dt);
 void throw_square(throw_run *t, double dt);
