@@ -447,7 +447,6 @@ void throw_pull_again(throw_run *t)
 
 void throw_pull_evenly(throw_run *t)
 {
-    t->pulls++;
     t->plan.back = t->plan.raised = false;
     t->plan.down = t->plan.even = true;
     t->plan.pull = FULL;
