@@ -10,6 +10,7 @@ typedef enum hand_over_state {
     HAND_OVER_EASE,       /* nothing is taut any longer */
     HAND_OVER_STRAIGHTEN, /* W draws the slack out of the tail */
     HAND_OVER_RELEASE,    /* W lets the tail go and withdraws */
+    HAND_OVER_SPRUNG,     /* it has: the throw has sprung open, and is to be pulled again */
     HAND_OVER_OFFER,      /* C holds the needle up */
     HAND_OVER_ASK,        /* W comes to before it */
     HAND_OVER_ACCEPT,     /* its jaws on either side */
@@ -25,6 +26,10 @@ typedef struct hand_over {
     hand_over_state state;
     double since;
     const char *why;
+    bool again;  /* a throw that springs open as the tail is let go is to be pulled again */
+    double slit; /* as it is, m */
+    uint32_t tail_root, limb_root; /* where tail and limb came out of the knot */
+    double slit_held, gape_held;   /* of slit and throw before the tail was let go, m */
     bool kept; /* the needle stays where it is; the tail is let go all the same */
     ease_run easing;
     vec from, from_handle; /* where W lets go, and how it withdraws */
@@ -34,6 +39,8 @@ typedef struct hand_over {
 } hand_over;
 
 vbss_result hand_over_begin(hand_over *o, stitch *t, senses *see);
+/* With no tail in W's jaws: the needle changes hands. */
+vbss_result hand_over_begin_at_needle(hand_over *o, stitch *t, senses *see);
 vbss_result hand_over_step(hand_over *o, double dt);
 const char *hand_over_name(hand_over_state state);
 

@@ -56,6 +56,7 @@ void surgeon_plan_later(const surgeon *s, double limb, throw_plan *plan)
     plan->again = !kept;
     plan->raised = !kept && !third;
     plan->down = true;
+    plan->even = !kept && third;
     plan->askew = kept ? ASKEW : 0.0;
     plan->off_floor = OFF_FLOOR;
     plan->reach = third ? SLACK_THIRD : SLACK_TAIL;
@@ -63,17 +64,28 @@ void surgeon_plan_later(const surgeon *s, double limb, throw_plan *plan)
     plan->pull = kept ? PULL_KEPT : PULL;
 }
 
+vbss_result surgeon_read_throws(surgeon *s, bool *is_undone)
+{
+    senses_knot k;
+    TRY(senses_judge(&s->see, false, &k));
+    const bool sure =
+        k.state.verdict == VBSS_KNOT_VERDICT_CERTIFIED || k.state.verdict == VBSS_KNOT_VERDICT_NONE;
+    const uint32_t below = s->stage == SURGEON_THIRD ? 2 : 1;
+    *is_undone = sure && k.state.throw_count < below && s->mistake == SURGEON_NO_MISTAKE;
+    return VBSS_OK;
+}
+
 vbss_result surgeon_begin_later(surgeon *s)
 {
     senses *e = &s->see;
     throw_plan plan;
-    TRY(senses_observe(e));
-    TRY(senses_find_roots(e));
     surgeon_plan_later(s, senses_length(e, e->limb_root, e->c->node), &plan);
     surgeon_spoil(s, &plan);
     surgeon_hold_level(s);
     s->shut = 0.0;
     s->seated = false;
+    s->retaken = 0;
+    s->undone = 0.0;
     throw_begin(&s->tie, e, &plan);
     return VBSS_OK;
 }

@@ -11,6 +11,8 @@
 #define BESIDE v3(0.0, 3e-3, 0.0) /* the marks, of one who misses them: along the drain */
 #define LIFT 0.08                 /* m, of a needle in both walls */
 #define A_MOMENT 0.1              /* s */
+/* So often a throw that springs open as its tail is let go is pulled again, and so often lost throws are tied again. */
+enum { RETAKEN = 2, RETURNED = 4 };
 
 vbss_result surgeon_create(surgeon *s, const surgeon_options *o)
 {
@@ -190,6 +192,9 @@ static vbss_result tie(surgeon *s, double dt)
 {
     TRY(surgeon_tie(s, dt));
     TRY(move(s, dt));
+    if (s->tie.state == THROW_DONE && s->tie.left) {
+        return surgeon_begin_next(s);
+    }
     if (s->tie.state == THROW_DONE) {
         const char *wanted = notation_after(s->stage);
         s->stage = (surgeon_stage)(s->stage + 1);
@@ -211,16 +216,44 @@ static vbss_result tie(surgeon *s, double dt)
 static vbss_result over(surgeon *s, double dt)
 {
     TRY(surgeon_observe(s));
+    s->over.again =
+        s->stage == SURGEON_BACK && s->retaken < RETAKEN && s->mistake == SURGEON_NO_MISTAKE;
+    s->over.slit = s->gap;
     TRY(hand_over_step(&s->over, dt));
     TRY(move(s, dt));
-    if (s->over.state == HAND_OVER_DONE) {
+    if (s->over.state == HAND_OVER_SPRUNG) {
+        s->retaken++;
+        s->stage = (surgeon_stage)(s->stage - 1);
+        throw_retake(&s->tie);
+    } else if (s->over.state == HAND_OVER_DONE) {
         s->stage = (surgeon_stage)(s->stage + 1);
-        return surgeon_begin_later(s);
+        TRY(surgeon_begin_next(s));
     }
     if (s->over.state == HAND_OVER_FAILED) {
         fail(s, s->over.why);
     }
     return VBSS_OK;
+}
+
+vbss_result surgeon_begin_next(surgeon *s)
+{
+    bool is_undone;
+    TRY(senses_observe(&s->see));
+    TRY(senses_find_roots(&s->see));
+    TRY(surgeon_read_throws(s, &is_undone));
+    if (!is_undone) {
+        return surgeon_begin_later(s);
+    }
+    if (s->returned++ == RETURNED) {
+        fail(s, "throws come undone");
+        return VBSS_OK;
+    }
+    if (s->stage == SURGEON_THIRD && s->see.throws == 0) {
+        s->stage = SURGEON_TIE;
+        return surgeon_begin_tie(s);
+    }
+    s->stage = s->stage == SURGEON_THIRD ? SURGEON_OVER : SURGEON_BACK;
+    return hand_over_begin_at_needle(&s->over, &s->stitch, &s->see);
 }
 
 static vbss_result cut(surgeon *s, double dt)

@@ -52,6 +52,9 @@ typedef struct surgeon {
     double shut, at_rest;   /* so long, while both hands pull hard; or less, s */
     double met;             /* so long, while both pull at all, s */
     bool seated;            /* it was for a moment, and has not gaped since */
+    int retaken;            /* times that the throw was pulled again after its tail was let go */
+    int returned;           /* times that a throw was tied again that had come undone */
+    double undone;          /* so long, while the limb is wound, s */
 } surgeon;
 
 typedef struct surgeon_options {
@@ -100,6 +103,11 @@ vbss_result surgeon_begin_hand_over(surgeon *s);
 /* Of the single that comes next; `limb`: its length, m. */
 void surgeon_plan_later(const surgeon *s, double limb, throw_plan *plan);
 vbss_result surgeon_begin_later(surgeon *s);
+/* Counts the throws. Begins the throw of this stage; if one below it has come undone, takes the needle to the hand that ties that one
+ * again. */
+vbss_result surgeon_begin_next(surgeon *s);
+/* True if surely fewer throws are tied than the throw of this stage needs below it. */
+vbss_result surgeon_read_throws(surgeon *s, bool *is_undone);
 vbss_result surgeon_begin_cut(surgeon *s);
 
 /* ---- show.c; a width of what is seen, m */

@@ -38,6 +38,8 @@
 #define INWARD 0.3   /* of ahead: the thread on the orbit */
 #define A_MOMENT 0.3 /* s */
 
+enum { CHECKED = 100 }; /* steps, between two counts of the throws */
+
 /* Where the thread goes through the drain, as places along it from the tail's end. */
 static void find_marks(surgeon *s)
 {
@@ -102,10 +104,11 @@ vbss_result surgeon_begin_tie(surgeon *s)
 static void sway(surgeon *s, double dt)
 {
     hand *h = s->see.w;
-    bool steep = s->tie.state == THROW_TAIL || s->tie.state == THROW_CLOSE;
+    bool steep =
+        s->tie.state == THROW_TAIL || s->tie.state == THROW_CLOSE || s->tie.state == THROW_RETAKE;
     bool back = s->tie.plan.back && s->tie.state >= THROW_LOWER;
     vec down = s->stage == SURGEON_TIE || s->tie.plan.wrong ? SURGEON_STEEP : OVER_TAIL;
-    vec lag = v_sub(seen(h, back ? NEAR_SIDE : steep ? down : LEVEL), h->trocar);
+    vec lag = v_sub(seen(h, steep ? down : back ? NEAR_SIDE : LEVEL), h->trocar);
     hand_through(h, v_add(h->trocar, v_limit(lag, SWAY * h->nature.speed * dt)));
 }
 
@@ -192,6 +195,24 @@ static void watch_slit(surgeon *s, double dt)
     }
 }
 
+/* A throw below may come undone while the limb is wound. The next would be tied on nothing. */
+static vbss_result watch_below(surgeon *s)
+{
+    const throw_run *t = &s->tie;
+    const bool winds = t->state >= THROW_PLACE && t->state <= THROW_CLOSE;
+    bool is_undone = false;
+    if (s->stage == SURGEON_TIE || !winds || t->state == THROW_UNWIND || s->steps % CHECKED != 0) {
+        return VBSS_OK;
+    }
+    TRY(surgeon_read_throws(s, &is_undone));
+    s->undone = since_when(is_undone, s->undone, 1e-3 * CHECKED);
+    if (s->undone > A_MOMENT) {
+        s->undone = 0.0;
+        throw_leave(&s->tie);
+    }
+    return VBSS_OK;
+}
+
 vbss_result surgeon_tie(surgeon *s, double dt)
 {
     sway(s, dt);
@@ -201,6 +222,7 @@ vbss_result surgeon_tie(surgeon *s, double dt)
         s->tie.limb_root = s->see.limb_root;
     }
     TRY(surgeon_observe(s));
+    TRY(watch_below(s));
     TRY(throw_step(&s->tie, dt));
     if (s->stage != SURGEON_TIE && s->tie.state <= THROW_CHECK) {
         lead_thread(s);

@@ -3,14 +3,12 @@
 #include <string.h>
 
 #define UPRIGHT (0.5 * PI)
-enum { NEXT_PLACE = 2 };   /* nodes farther from the end, at each */
-#define HANGS 0.5          /* share of what C may feel of the limb: it is taut */
-#define STUCK 1.5          /* s: drawn so long as far round as W goes, the turn hangs at its tip */
-#define HARDER (1.0 / 1.5) /* more of both forces per s then */
-#define LONG_DRAWN 6.0     /* s */
-#define LOST 0.3           /* s, that turns are off W's jaws before it has the tail */
-/* m, that the drain has gone by, with the limb about W's jaws: it would go on as far as W does. */
-#define DRAGGED 12e-3
+enum { NEXT_PLACE = 2 };    /* nodes farther from the end, at each */
+#define HANGS 0.5           /* share of what C may feel of the limb: it is taut */
+#define STUCK 1.5           /* s: drawn so long as far round as W goes, the turn hangs at its tip */
+#define HARDER (1.0 / 1.5)  /* more of both forces per s then */
+#define LONG_DRAWN 6.0      /* s */
+#define LOST 0.3            /* s, that turns are off W's jaws before it has the tail */
 #define EASES 3e-3          /* m, of W as it closes */
 #define CHECK_INTERVAL 0.02 /* s, between checks whether the end has come through */
 #define SURELY 0.2 /* s, that it has, and turns are off W's jaws: they may catch at the tip again */
@@ -26,12 +24,17 @@ static uint32_t place_of_tail(const throw_run *t)
     return node;
 }
 
-void throw_take_tail(throw_run *t, uint32_t node)
+static void begin_catch(throw_run *t, uint32_t node)
 {
     hand_open(t->see->w, t->plan.opening);
     catch_begin(&t->grip, t->see, t->see->w, node, t->plan.opening, 0.06);
     t->grip.behind = t->plan.behind;
     t->grip.minds = t->plan.minds;
+}
+
+void throw_take_tail(throw_run *t, uint32_t node)
+{
+    begin_catch(t, node);
     throw_enter(t, THROW_TAIL);
 }
 
@@ -59,7 +62,7 @@ void throw_tail(throw_run *t, double dt)
     t->lost = t->plan.again && s->last == 0 ? t->lost + dt : 0.0;
     if (t->lost > LOST) {
         throw_fail(t, "turns lost");
-    } else if (t->plan.again && v_length(senses_drain(s)) > DRAGGED) {
+    } else if (t->plan.again && v_length(senses_drain(s)) > THROW_DRAGGED) {
         throw_fail(t, "drain dragged");
     } else if (t->grip.state == CATCH_HELD) {
         /* toward the drain: where it stops, late, it would draw the tail */
@@ -68,6 +71,30 @@ void throw_tail(throw_run *t, double dt)
         throw_enter(t, THROW_CLOSE);
     } else if (t->grip.state == CATCH_MISSED && !is_caught_elsewhere(t)) {
         throw_fail(t, "tail not caught");
+    }
+}
+
+void throw_retake(throw_run *t)
+{
+    t->elsewhere = 0;
+    begin_catch(t, place_of_tail(t));
+    throw_enter(t, THROW_RETAKE);
+}
+
+/* A tail that cannot be taken again is left. */
+void throw_take_again(throw_run *t, double dt)
+{
+    if (t->grip.state == CATCH_COME) {
+        t->grip.node = place_of_tail(t);
+        hand_turn(t->see->w, catch_point(t->see, t->see->w, t->grip.node));
+    }
+    catch_step(&t->grip, dt);
+    if (t->grip.state == CATCH_HELD && t->plan.even) { /* so it has sprung open, too */
+        throw_pull_again(t);
+    } else if (t->grip.state == CATCH_HELD) {
+        throw_pull_evenly(t);
+    } else if (t->grip.state == CATCH_MISSED) {
+        throw_enter(t, THROW_DONE);
     }
 }
 

@@ -41,7 +41,14 @@ enum { SQUARED_NO_MORE = 2 };
 #define PULLING 0.02  /* m/s, at most */
 #define FAR_W (-0.07) /* m, to where both pull in the end */
 #define FAR_C 0.095
-#define LOW 0.003 /* m above the drain's top, where it has come down */
+/* Slip measure from which one end bends and the other does not; up to which both do alike. */
+#define BENDS 0.2
+#define EVEN 0.25
+#define GIVING 6e-3  /* m/s, of W with a tail that is straight */
+#define NO_PULL 5e-3 /* N: it is slack */
+#define NEAREST 6e-3 /* m, of W to where the tail comes out of the knot */
+#define AHEAD_W 3e-3 /* m, of where W goes, before it */
+#define LOW 0.003    /* m above the drain's top, where it has come down */
 
 /* C follows to the right, and gives way toward W. */
 void throw_follow(throw_run *t, double smallest, double dt)
@@ -154,6 +161,32 @@ static vec outward(const throw_run *t, double x)
     return v3(x + (x > 0.0 ? t->plan.far : -t->plan.far), 0.0, -t->plan.low);
 }
 
+/* The tail was drawn through straight, and the limb lies about it: pulled like that, the throw is a half hitch, and draws the tail out of the
+ * bends of the throws below, too. W gives until the tail bends as well, while C draws the turn down. */
+static bool is_even(throw_run *t, double dt)
+{
+    senses *s = t->see;
+    const vec to_root = v_sub(steer_tail_root(t), s->tool_w.tip);
+    if (t->slip < -BENDS && s->tension_w > NO_PULL && v_length(to_root) > NEAREST) {
+        t->carrot_w = v_along(t->carrot_w, GIVING * dt, v_unit(to_root));
+    } else if (t->slip > BENDS) {
+        t->carrot_w = v_along(t->carrot_w, -GIVING * dt, v_unit(to_root));
+    }
+    t->carrot_w = v_add(s->tool_w.tip, v_limit(v_sub(t->carrot_w, s->tool_w.tip), AHEAD_W));
+    hand_go(s->w, t->carrot_w, 0.05);
+    const double speed = clamp(0.4 * (CLOSING - s->tension_c), -0.02, 0.02);
+    draw(s->c, &s->tool_c, &t->carrot_c, outward(t, FAR_C), speed, dt);
+    const bool is = s->tension_c > 0.5 * CLOSING && fabs(t->slip) < EVEN;
+    t->clear = is ? t->clear + dt : 0.0;
+    return t->clear > 0.1;
+}
+
+/* Share of what C pulls with, that W does: what bears more becomes straight. */
+static double share_of_w(const throw_run *t)
+{
+    return t->plan.even ? clamp(1.0 + 2.0 * (t->slip + 0.5 * BENDS), 0.3, 1.0) : 1.0;
+}
+
 /* Both hands are low on either side, the tail is straight, and C draws the limb round it: the turn runs down to the throw below.
  * Closed from above, or by W, it locks up to 14 mm away. In line with the stitch the ends go back over the throw below, which opens
  * at 0.05 N; at 45 degrees it holds. A tail that is raised on the near side also holds it. C goes away from such a tail, or the
@@ -163,6 +196,14 @@ static bool is_closed(throw_run *t, double dt)
     senses *s = t->see;
     if (!t->plan.down || t->closed > 0.0) {
         return true;
+    }
+    if (t->plan.even) {
+        if (is_even(t, dt) || t->since > 8.0) {
+            t->closed = t->since;
+            t->clear = 0.0;
+            t->carrot_w = s->tool_w.tip;
+        }
+        return false;
     }
     bool raised = t->plan.raised, askew = raised || t->plan.askew != 0.0;
     if (!raised) {
@@ -277,6 +318,11 @@ static void pull_alike(throw_run *t, double dt)
     double wanted = smaller(full, 0.1 + RISE * (t->since - t->closed));
     double of_w = smaller(wanted, s->tension_c + more - lean);
     double of_c = smaller(wanted, s->tension_w + more + lean);
+    if (t->plan.even) {
+        const double share = share_of_w(t);
+        of_w = smaller(of_w, share * wanted);
+        of_c = smaller(wanted, s->tension_w / share + more + lean);
+    }
     pull(s->w, &s->tool_w, &t->carrot_w, outward(t, FAR_W), s->tension_w, of_w, dt);
     pull(s->c, &s->tool_c, &t->carrot_c, outward(t, FAR_C), s->tension_c, of_c, dt);
     t->clear += s->tension_w > 0.9 * full && s->tension_c > 0.9 * full ? dt : 0.0;
@@ -318,7 +364,10 @@ void throw_seat(throw_run *t, double dt)
     } else {
         pull_one_first(t, dt);
     }
-    if (t->clear > 0.5) {
+    if (t->plan.again && v_length(senses_drain(t->see)) > THROW_DRAGGED) {
+        t->clear = 0.0;
+        throw_enter(t, THROW_PART); /* a hand has hooked something: it would tear the drain off */
+    } else if (t->clear > 0.5) {
         throw_seated(t);
     } else if (throw_pulled_for(t) > 12.0) {
         throw_fail(t, "not pulled tight");
@@ -383,7 +432,7 @@ bool throw_is_slack(const throw_run *t)
 void throw_plan_back(throw_plan *p)
 {
     p->back = true;
-    p->raised = p->down = false;
+    p->raised = p->down = p->even = false;
     p->pull = FULL;
 }
 
@@ -394,6 +443,15 @@ void throw_pull_again(throw_run *t)
     throw_plan_back(&t->plan);
     t->clear = t->asked = t->closed = t->round_w = 0.0;
     throw_enter(t, THROW_SEAT);
+}
+
+void throw_pull_evenly(throw_run *t)
+{
+    t->plan.back = t->plan.raised = false;
+    t->plan.down = t->plan.even = true;
+    t->plan.pull = FULL;
+    t->closed = 0.0;
+    begin_seat(t);
 }
 
 /* Toward where its thread comes out of the knot. */

@@ -11,6 +11,9 @@
 #define DRAWN_ROUND (PI * 160.0 / 180.0)
 #define RAISED (PI * 110.0 / 180.0)
 
+/* m: a drain that has gone so far, with the limb about W's jaws or as both pull, would go on as far as the hand does. */
+#define THROW_DRAGGED 12e-3
+
 void throw_enter(throw_run *t, throw_state state);
 /* Once more, from the beginning, if it is not too late. */
 void throw_fail(throw_run *t, const char *why);
@@ -27,10 +30,13 @@ void throw_unwind(throw_run *t);
 /* W opens its jaws, and takes the tail at a node, for another time. */
 void throw_take_tail(throw_run *t, uint32_t node);
 void throw_tail(throw_run *t, double dt);
+void throw_take_again(throw_run *t, double dt);
 vbss_result throw_close(throw_run *t, double dt);
 vbss_result throw_draw(throw_run *t, double dt);
 
 /* ---- seat.c: down on the drain, and tight */
+/* A loose throw, whose tail is not raised: it holds then, and none of its ends becomes straight. */
+void throw_pull_evenly(throw_run *t);
 void throw_lower(throw_run *t, double dt);
 void throw_seat(throw_run *t, double dt);
 void throw_square(throw_run *t, double dt);

@@ -2,9 +2,11 @@
 
 #include <string.h>
 
-static const char *const names[THROW_STATES] = {"pick",   "near",   "place", "orbit", "check",
-                                                "unwind", "tail",   "close", "draw",  "lower",
-                                                "seat",   "square", "part",  "done",  "failed"};
+#define SLIP_INTERVAL 0.02 /* s, between two readings of it */
+
+static const char *const names[THROW_STATES] = {
+    "pick", "near",  "place", "orbit",  "check", "unwind", "tail", "close",
+    "draw", "lower", "seat",  "square", "part",  "retake", "done", "failed"};
 
 const char *throw_state_name(throw_state state)
 {
@@ -98,7 +100,7 @@ void throw_begin(throw_run *t, senses *see, const throw_plan *plan)
 void throw_enter(throw_run *t, throw_state state)
 {
     t->state = state;
-    t->since = 0.0;
+    t->since = t->slip = t->slip_read = 0.0;
 }
 
 /* Once more, from the beginning, if it is not too late. */
@@ -111,9 +113,23 @@ void throw_fail(throw_run *t, const char *why)
     throw_enter(t, again ? THROW_UNWIND : THROW_FAILED);
 }
 
+/* Negative: the limb bends about a straight tail. */
+static vbss_result read_slip(throw_run *t)
+{
+    senses_knot k;
+    if (!t->plan.even || t->state != THROW_SEAT || t->since < t->slip_read + SLIP_INTERVAL) {
+        return VBSS_OK;
+    }
+    TRY(senses_judge(t->see, false, &k));
+    t->slip_read = t->since;
+    t->slip = k.state.throw_count > t->throws_before ? k.slip : 0.0;
+    return VBSS_OK;
+}
+
 vbss_result throw_step(throw_run *t, double dt)
 {
     t->since += dt;
+    TRY(read_slip(t));
     if (t->state != THROW_PICK && t->state < THROW_DONE && !t->see->c->holds) {
         t->why = "limb lost";
         throw_enter(t, THROW_FAILED);
@@ -154,6 +170,9 @@ vbss_result throw_step(throw_run *t, double dt)
         break;
     case THROW_PART:
         throw_part(t, dt);
+        break;
+    case THROW_RETAKE:
+        throw_take_again(t, dt);
         break;
     default:
         break;

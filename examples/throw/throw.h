@@ -20,6 +20,7 @@ typedef enum throw_state {
     THROW_SEAT,   /* pull tight */
     THROW_SQUARE, /* both come round again from where they went back to */
     THROW_PART,   /* both ease */
+    THROW_RETAKE, /* W takes the tail that it has let go, to pull again */
     THROW_DONE,
     THROW_FAILED,
     THROW_STATES
@@ -59,6 +60,8 @@ typedef struct throw_plan {
     bool down;  /* the turn is closed from below, on either side of the drain, before that */
     /* The tail is raised on the near side until the turn is closed: laid over the throw below, it opens that one. */
     bool raised;
+    /* The hands see which end bends: W gives with a straight tail until it bends as the limb does, and only then the throw is pulled. */
+    bool even;
     /* Both hands go back to where the throw below was pulled from, pull from there, and then, with nothing slack meanwhile, the flat way. */
     bool back;
     /* Further ones of the tail, farther from its end, if it is missed or would tie something else. */
@@ -111,11 +114,14 @@ typedef struct throw_run {
     bool unwinds;                  /* all of it, and then anew, with the plan `next` */
     throw_plan next;
     bool dropped;            /* the tail, knowingly */
+    bool left;               /* what was wound is taken off again, and the throw ends */
     double closed;           /* s in this state when both ends can be pulled; 0: not yet */
     double round_w, round_c; /* rad about the knot, of both hands as they go back */
     double far_w, far_c;     /* m from it, as they come round again */
     double asked;            /* N, of both ends then */
     double lost;             /* s, that W has had no turns on its jaws */
+    double slip,
+        slip_read;    /* of this throw as the hands see it, 0: not known; when, s in this state */
     double far_round; /* s, that W has drawn as far round as it goes and C has felt the limb */
     int pulls;        /* so often it was pulled again */
 } throw_run;
@@ -141,6 +147,10 @@ void throw_seated(throw_run *t);
 /* It was, and both ends are slack now: it may be pulled again. */
 bool throw_is_slack(const throw_run *t);
 void throw_pull_again(throw_run *t);
+/* It has sprung open since W let the tail go: W takes that again, and both pull again. */
+void throw_retake(throw_run *t);
+/* Nothing is drawn through yet: W comes out of the turns, and the throw ends with `left`. */
+void throw_leave(throw_run *t);
 /* That the throw shall have: each has the other hand's. */
 int throw_handedness(const throw_run *t);
 const char *throw_state_name(throw_state state);

@@ -127,8 +127,14 @@ void throw_unwind(throw_run *t)
     steer_yield(t);
     if ((out && s->tool_w.tip.x < -0.045) || t->since > 4.0) {
         t->give = 1.0;
-        throw_enter(t, t->dropped ? THROW_DONE : THROW_NEAR);
+        throw_enter(t, t->dropped || t->left ? THROW_DONE : THROW_NEAR);
     }
+}
+
+void throw_leave(throw_run *t)
+{
+    t->left = true;
+    throw_enter(t, THROW_UNWIND);
 }
 
 void throw_check(throw_run *t, double dt)
