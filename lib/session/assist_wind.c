@@ -49,7 +49,7 @@ double vbss_session_wind_radius(const session_object *s, const session_observati
     double snug = SESSION_WIND_SNUG * (length - vec3_distance(root, centre) - wound);
     /* A limb that becomes longer comes out of the stitch: a wider circle would draw the tail out. */
     double limit = winds && turns > 0.5 ? radius : SESSION_WIND_MAX_RADIUS;
-    if (winds && observed->tension[SESSION_EXIT] > SESSION_WIND_PULL) {
+    if (winds && observed->needle_pull > SESSION_WIND_PULL) {
         limit = vbss_min(limit, SESSION_WIND_NEARER * radius);
     }
     return vbss_min(vbss_max(vbss_min(snug, limit), SESSION_WIND_RADIUS), SESSION_WIND_MAX_RADIUS);

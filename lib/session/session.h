@@ -98,6 +98,7 @@ typedef struct session_observation {
     double thread_length;                              /* at rest, m */
     /* Largest tension of each limb, 0 without its hole, and of the whole thread, N. */
     double tension[SESSION_SIDES], max_tension;
+    double needle_pull; /* smallest tension of the limb beside the needle: a hand pulls with so much, N */
     vec3 thread_ends[SESSION_SIDES]; /* the tail's end; the first node */
     /* Gap of the slit, m: in its middle, the largest along it, and in its middle with a sign, which
      * is negative if the edges have crossed. config.gap_measure says between what. */

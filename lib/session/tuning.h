@@ -85,6 +85,9 @@
  * steps nearer than any limb is short. Test: session.assistance. */
 #define SESSION_WIND_PULL VBSS_TUNE(SESSION_WIND_PULL, 0.1)
 #define SESSION_WIND_NEARER VBSS_TUNE(SESSION_WIND_NEARER, 0.9)
+/* Length of the limb beside the needle whose smallest tension is the pull of the hand: a tied throw keeps up to 0.4 N in the limb
+ * beside the stitch. Unit: m. Origin: chosen: less than a quarter of the smallest circle. Test: session.assistance. */
+#define SESSION_PULL_SPAN VBSS_TUNE(SESSION_PULL_SPAN, 10e-3)
 /* Time for which WIND stops when turns have come off: a hand that winds on draws the thread out.
  * Unit: s. Origin: chosen: longer than a movement and the reaction to the coach. Test: session.assistance. */
 #define SESSION_WIND_PAUSE VBSS_TUNE(SESSION_WIND_PAUSE, 2.0)

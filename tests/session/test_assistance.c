@@ -270,14 +270,14 @@ static void winding_keeps_the_thread_nearly_taut(void **state)
     expect_near(0.92 * (30e-3 - wound),
                 vbss_session_wind_radius(s, &seen, RIG_LEFT, centre, 25e-3, true), 1e-9);
     /* Pulled, it shrinks; wound back it need not. */
-    seen.tension[SESSION_EXIT] = 0.05;
+    seen.needle_pull = 0.05;
     expect_near(15e-3, vbss_session_wind_radius(s, &seen, RIG_LEFT, centre, 15e-3, true), 1e-9);
-    seen.tension[SESSION_EXIT] = 0.2;
+    seen.needle_pull = 0.2;
     expect_near(0.9 * 15e-3, vbss_session_wind_radius(s, &seen, RIG_LEFT, centre, 15e-3, true),
                 1e-9);
     expect_near(0.92 * (30e-3 - wound),
                 vbss_session_wind_radius(s, &seen, RIG_LEFT, centre, 15e-3, false), 1e-9);
-    seen.tension[SESSION_EXIT] = 0.0;
+    seen.needle_pull = 0.0;
     s->coach.turns[RIG_LEFT] = sign * 0.9;
     wound = 6.283185307179586 * 0.4 * 1.3e-3;
     expect_near(0.92 * (30e-3 - wound),
