@@ -164,6 +164,27 @@
  * Unit: 1, of the whole opening. Origin: chosen: above the tremor of a grip. Test: session.assistance. */
 #define SESSION_HOLD_OPENING VBSS_TUNE(SESSION_HOLD_OPENING, 0.25)
 
+/* Time for which a hand rests before its tool follows.
+ * Unit: s. Origin: chosen: longer than a step of any input, shorter than a pause between movements. Test: session.assistance_follow. */
+#define SESSION_FOLLOW_REST VBSS_TUNE(SESSION_FOLLOW_REST, 0.1)
+/* Difference of the tensions of both ends at which the following one does not pull, or pulls twice as far: of slack ends, and at most.
+ * Unit: N. Origin: chosen, of the scripted surgeon. Test: session.assistance_follow. */
+#define SESSION_FOLLOW_UNLIKE_SLACK VBSS_TUNE(SESSION_FOLLOW_UNLIKE_SLACK, 0.05)
+#define SESSION_FOLLOW_UNLIKE VBSS_TUNE(SESSION_FOLLOW_UNLIKE, 0.15)
+/* Tension up to which the limb is taken up while the tail is drawn.
+ * Unit: N. Origin: chosen, of the scripted surgeon. Test: session.assistance_follow. */
+#define SESSION_FOLLOW_LIGHT VBSS_TUNE(SESSION_FOLLOW_LIGHT, 0.05)
+/* The smallest distance of the needle from jaws that it goes along with; the largest of a tool that follows from the slit.
+ * Unit: m. Origin: chosen: clear of the jaws; the length of a limb. Test: session.assistance_follow. */
+#define SESSION_FOLLOW_NEAREST VBSS_TUNE(SESSION_FOLLOW_NEAREST, 15e-3)
+#define SESSION_FOLLOW_FARTHEST VBSS_TUNE(SESSION_FOLLOW_FARTHEST, 0.15)
+/* So much shorter than at first is the path of the limb that goes along: the turns lie otherwise about jaws that turn.
+ * Unit: m. Origin: derived: half a turn about the neck. Test: session.assistance_follow. */
+#define SESSION_FOLLOW_SLACK VBSS_TUNE(SESSION_FOLLOW_SLACK, 4e-3)
+/* Speed of a tool that goes along, at most.
+ * Unit: 1, relative to the other tool's. Origin: chosen: both components of the way. Test: session.assistance_follow. */
+#define SESSION_FOLLOW_FASTEST VBSS_TUNE(SESSION_FOLLOW_FASTEST, 2.0)
+
 /* ---- Exercises (exercise.c) */
 
 /* Where a needle may be held, from its tip.
