@@ -100,6 +100,9 @@
 /* Turns from which the thread is wound about a tool; those of the detector's wrap_turns.
  * Unit: turns. Origin: chosen. Test: session.coach_mistakes. */
 #define SESSION_WOUND_TURNS VBSS_TUNE(SESSION_WOUND_TURNS, 0.75)
+/* Turns from which the thread is wound about a tool that pulls: hands that go round the slit see up to 0.9 turns.
+ * Unit: turns. Origin: chosen. Test: session.coach_goals. */
+#define SESSION_REWOUND_TURNS VBSS_TUNE(SESSION_REWOUND_TURNS, 1.25)
 /* Turns below which a tail that is drawn has come through.
  * Unit: turns. Origin: chosen: a last turn on the jaws is seen as 0.7 to 0.9. Test: session.coach_goals. */
 #define SESSION_THROUGH_TURNS VBSS_TUNE(SESSION_THROUGH_TURNS, 0.3)

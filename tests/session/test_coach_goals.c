@@ -159,6 +159,14 @@ static void throw_goals_follow_the_thread(void **state)
     run(&r);
     rig_expect_goal(&r, VBSS_SESSION_GOAL_SEAT, VBSS_METRICS_TOOL_LEFT);
     assert_int_equal(rig_coaching(&r).mistake, VBSS_SESSION_MISTAKE_NONE);
+    rig_wind(&r, RIG_LEFT, 0.9, 1); /* hands that go round the slit */
+    run(&r);
+    rig_expect_goal(&r, VBSS_SESSION_GOAL_SEAT, VBSS_METRICS_TOOL_LEFT);
+    rig_wind(&r, RIG_LEFT, 1.3, 1); /* wound in earnest */
+    run(&r);
+    rig_expect_goal(&r, VBSS_SESSION_GOAL_DRAW_TAIL, VBSS_METRICS_TOOL_LEFT);
+    rig_wind(&r, RIG_LEFT, 0.1, 0);
+    run(&r);
     rig_pull(&r, 1.0, 3e-4);
     run(&r);
     rig_expect_goal(&r, VBSS_SESSION_GOAL_RELEASE_TAIL, VBSS_METRICS_TOOL_LEFT);
