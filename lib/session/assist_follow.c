@@ -33,9 +33,10 @@ static bool is_goal(const session_object *s, vbss_session_goal goal)
 static bool goes_along(const follow_step *f)
 {
     uint32_t loop = 1 - f->number;
-    bool is_wound = is_goal(f->s, VBSS_SESSION_GOAL_TAKE_TAIL)
-                        ? !holds_thread(f->s, loop)
-                        : is_goal(f->s, VBSS_SESSION_GOAL_DRAW_TAIL);
+    bool is_wound =
+        is_goal(f->s, VBSS_SESSION_GOAL_TAKE_TAIL)
+            ? !holds_thread(f->s, loop)
+            : is_goal(f->s, VBSS_SESSION_GOAL_DRAW_TAIL) && vbss_session_next_throw(f->s) > 0;
     return is_wound && holds_needle(f->s, f->number) && !holds_needle(f->s, loop) &&
            fabs(f->s->coach.turns[loop]) > SESSION_WOUND_TURNS;
 }
@@ -59,10 +60,18 @@ static void go_along(const follow_step *f)
     vec3 arm = vec3_sub(end, from);
     if (a->limb_length == 0.0) {
         a->limb_length = vec3_distance(from, f->slit) + vec3_norm(arm) - SESSION_FOLLOW_SLACK;
-        a->arm = vec3_unit_or(arm, f->up);
+        /* A limb that leads down would sweep the tail. */
+        double low = SESSION_FOLLOW_RISE * vec3_norm(arm) - vec3_dot(arm, f->up);
+        a->arm = vec3_unit_or(vec3_add_scaled(arm, vbss_max(low, 0.0), f->up), f->up);
+    }
+    if (f->observed->needle_pull > SESSION_FOLLOW_LIGHT) { /* taut all the same: nearer */
+        a->limb_length -= vec3_distance(from, to);
     }
     double length = vbss_max(a->limb_length - vec3_distance(to, f->slit), SESSION_FOLLOW_NEAREST);
-    vec3 by = vec3_sub(vec3_add_scaled(to, length, a->arm), end);
+    arm = vec3_scale(a->arm, length);
+    double low = SESSION_FOLLOW_CLEAR - vec3_dot(vec3_sub(vec3_add(to, arm), f->slit), f->up);
+    arm = vec3_add_scaled(arm, vbss_max(low, 0.0), f->up); /* over the drain, not through it */
+    vec3 by = vec3_sub(vec3_add_scaled(to, length, vec3_unit_or(arm, f->up)), end);
     double limit = SESSION_FOLLOW_FASTEST * vec3_distance(from, to), size = vec3_norm(by);
     a->free.position = vec3_add_scaled(a->free.position, size > limit ? limit / size : 1.0, by);
 }
@@ -73,9 +82,8 @@ static bool goes_opposite(const follow_step *f)
 {
     const session_object *s = f->s;
     bool pulls = is_goal(s, VBSS_SESSION_GOAL_SEAT) || is_goal(s, VBSS_SESSION_GOAL_RELEASE_TAIL);
-    bool draws = is_goal(s, VBSS_SESSION_GOAL_DRAW_TAIL) && holds_needle(s, f->number);
     uint32_t limb = holds_needle(s, 0) ? 0 : 1;
-    return (pulls || draws) && holds_needle(s, limb) && !holds_needle(s, 1 - limb) &&
+    return pulls && holds_needle(s, limb) && !holds_needle(s, 1 - limb) &&
            holds_thread(s, 1 - limb);
 }
 
@@ -102,9 +110,6 @@ static double felt_tension(const follow_step *f, uint32_t hand)
 static double find_share(const follow_step *f, vec3 moved)
 {
     double own = felt_tension(f, f->number), other = felt_tension(f, 1 - f->number);
-    if (is_goal(f->s, VBSS_SESSION_GOAL_DRAW_TAIL)) {
-        return own < SESSION_FOLLOW_LIGHT ? 1.0 : 0.0;
-    }
     bool pulls = vec3_dot(moved, vec3_sub(f->from.position, f->slit)) > 0.0;
     double unlike = pulls ? other - own : own - other;
     unlike /=
@@ -112,12 +117,12 @@ static double find_share(const follow_step *f, vec3 moved)
     return vbss_min(vbss_max(1.0 + unlike, pulls ? -1.0 : 0.0), 2.0);
 }
 
-/* Turned by half a turn about the upright through the slit. */
+/* At the same height: the tail's tool is near the floor. */
 static void go_opposite(const follow_step *f)
 {
     vec3 moved = vec3_sub(f->to.position, f->from.position), before = f->hand->free.position;
-    vec3 opposite = vec3_add_scaled(vec3_neg(moved), 2.0 * vec3_dot(moved, f->up), f->up);
-    vec3 place = vec3_add_scaled(before, find_share(f, moved), opposite);
+    vec3 by = vec3_add_scaled(vec3_neg(moved), vec3_dot(moved, f->up), f->up);
+    vec3 place = vec3_add_scaled(before, find_share(f, moved), by);
     double far = vec3_distance(place, f->slit);
     if (far < SESSION_FOLLOW_FARTHEST || far < vec3_distance(before, f->slit)) {
         f->hand->free.position = place;
@@ -144,12 +149,16 @@ void vbss_session_follow(session_object *s, uint32_t number, double h, bool rest
     if (!follows || other->still_time >= SESSION_FOLLOW_REST) {
         return;
     }
+    if (!goes_along(&f) && !goes_opposite(&f)) {
+        return;
+    }
+    vbss_session_observe(s, &s->observation); /* the step does it once more */
+    if (s->observation.has_lost_body) {
+        return;
+    }
     if (goes_along(&f)) {
         go_along(&f);
-    } else if (goes_opposite(&f)) {
-        vbss_session_observe(s, &s->observation); /* the step does it once more */
-        if (!s->observation.has_lost_body) {
-            go_opposite(&f);
-        }
+    } else {
+        go_opposite(&f);
     }
 }

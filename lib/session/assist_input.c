@@ -220,6 +220,13 @@ static void move(session_object *s, session_aided_hand *hand, uint32_t number,
     }
 }
 
+/* A mouse that is not moved differs by rounding. */
+static bool is_still(pose motion)
+{
+    return vec3_norm(motion.position) < SESSION_STILL &&
+           vec3_norm(vbss_quat_to_rotation_vector(motion.orientation)) < SESSION_STILL;
+}
+
 void vbss_session_assist(session_object *s, uint32_t hand, double h, session_input *input)
 {
     session_aided_hand *a = &s->assistance.hands[hand];
@@ -232,8 +239,7 @@ void vbss_session_assist(session_object *s, uint32_t hand, double h, session_inp
         vec3_sub(input->pose.position, a->input.position),
         quat_unit(quat_mul(input->pose.orientation, quat_conjugate(a->input.orientation)))};
     a->input = input->pose;
-    bool rests = is_idle || (vec3_norm(motion.position) == 0.0 &&
-                             vec3_norm(vbss_quat_to_rotation_vector(motion.orientation)) < 1e-9);
+    bool rests = is_idle || is_still(motion);
     if (!is_idle) {
         motion.position = hover(s, a, h, axes.up, motion.position);
         move(s, a, hand, &axes, motion);

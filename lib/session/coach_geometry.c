@@ -348,11 +348,30 @@ static void describe_winding(const session_object *s, const session_observation 
     c->distance = vec3_distance(tip, vec3_load(c->point));
 }
 
+/* Near the end of the tail, where the drain does not cover it. */
+static thread_point find_tail_hold(const session_object *s, const session_observation *observed)
+{
+    const task_frame f = read_frame(s, observed);
+    const double end = observed->thread_length;
+    thread_point p = point_on_thread(s, observed, end - SESSION_TAIL_HOLD);
+    for (double hold = SESSION_TAIL_HOLD; hold < SESSION_TAIL_HOLD_MOST * s->config.tail_reach;
+         hold += SESSION_TAIL_HOLD_STEP) {
+        const thread_point q = point_on_thread(s, observed, end - hold);
+        const vec3 from = vec3_sub(q.position, f.centre);
+        bool is_covered =
+            vec3_dot(from, f.up) < 0.0 &&
+            fabs(vec3_dot(from, f.across)) < observed->drain_radius + SESSION_TAIL_CLEAR;
+        if (!is_covered) {
+            return q;
+        }
+    }
+    return p;
+}
+
 static void describe_tail(const session_object *s, const session_observation *observed,
                           session_goal goal, vbss_session_coaching *c)
 {
-    const thread_point p =
-        point_on_thread(s, observed, observed->thread_length - SESSION_TAIL_HOLD);
+    const thread_point p = find_tail_hold(s, observed);
     c->number = vbss_session_next_throw(s);
     set_point(c, p.position);
     set_direction(c, vec3_neg(p.direction));

@@ -58,6 +58,11 @@
 /* Distance from the tail's end at which it is taken.
  * Unit: m. Origin: chosen, of the scripted surgeon. Test: none known. */
 #define SESSION_TAIL_HOLD VBSS_TUNE(SESSION_TAIL_HOLD, 3.5e-3)
+/* If the drain lies over that place, the next one is so much nearer to the stitch, up to this share of tail_reach. Jaws need so much room
+ * beside the drain. Unit: m; 1; m. Origin: chosen; for the jaws, half their width. Test: session.coach_goals. */
+#define SESSION_TAIL_HOLD_STEP VBSS_TUNE(SESSION_TAIL_HOLD_STEP, 1e-3)
+#define SESSION_TAIL_HOLD_MOST VBSS_TUNE(SESSION_TAIL_HOLD_MOST, 0.9)
+#define SESSION_TAIL_CLEAR VBSS_TUNE(SESSION_TAIL_CLEAR, 2e-3)
 /* Distance from the hole at which a tail that is too short is taken.
  * Unit: m. Origin: chosen: jaws clear of the wall. Test: session.coach_goals. */
 #define SESSION_TAIL_ROOT VBSS_TUNE(SESSION_TAIL_ROOT, 4e-3)
@@ -167,6 +172,9 @@
  * Unit: 1, of the whole opening. Origin: chosen: above the tremor of a grip. Test: session.assistance. */
 #define SESSION_HOLD_OPENING VBSS_TUNE(SESSION_HOLD_OPENING, 0.25)
 
+/* Movement of a hand in a step, and turn, below which it rests.
+ * Unit: m, rad. Origin: chosen: above rounding, below any movement. Test: session.assistance_follow. */
+#define SESSION_STILL VBSS_TUNE(SESSION_STILL, 1e-7)
 /* Time for which a hand rests before its tool follows.
  * Unit: s. Origin: chosen: longer than a step of any input, shorter than a pause between movements. Test: session.assistance_follow. */
 #define SESSION_FOLLOW_REST VBSS_TUNE(SESSION_FOLLOW_REST, 0.1)
@@ -184,6 +192,12 @@
 /* So much shorter than at first is the path of the limb that goes along: the turns lie otherwise about jaws that turn.
  * Unit: m. Origin: derived: half a turn about the neck. Test: session.assistance_follow. */
 #define SESSION_FOLLOW_SLACK VBSS_TUNE(SESSION_FOLLOW_SLACK, 4e-3)
+/* Height of such a needle over the jaws, at least.
+ * Unit: 1, relative to its distance from them at first. Origin: chosen: the scripted mouse's. Test: session.assistance_follow. */
+#define SESSION_FOLLOW_RISE VBSS_TUNE(SESSION_FOLLOW_RISE, 0.5)
+/* Height over the slit above which such a needle is kept.
+ * Unit: m. Origin: chosen: half a needle. Test: session.assistance_follow. */
+#define SESSION_FOLLOW_CLEAR VBSS_TUNE(SESSION_FOLLOW_CLEAR, 10e-3)
 /* Speed of a tool that goes along, at most.
  * Unit: 1, relative to the other tool's. Origin: chosen: both components of the way. Test: session.assistance_follow. */
 #define SESSION_FOLLOW_FASTEST VBSS_TUNE(SESSION_FOLLOW_FASTEST, 2.0)
