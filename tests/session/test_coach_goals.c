@@ -115,7 +115,7 @@ static void expect_path_of_tail(const rig *r)
 }
 
 /* Lays so much of the tail's end below the drain, the rest beside it. */
-static void lay_tail(const rig *r, double below)
+static void lay_tail(const rig *r, double below, double beside)
 {
     const scene_thread_info t = vbss_scene_inspect_thread(r->scene.thread);
     const scene_drain_info d = vbss_scene_inspect_drain(r->scene.drain);
@@ -126,7 +126,8 @@ static void lay_tail(const rig *r, double below)
     double from_end = 0.0;
     for (uint32_t i = t.node_count; i-- > 0;) {
         const vec3 under = vec3_sub(vec3_scale(d.centre, 2.0), top);
-        positions[i] = from_end < below ? under : vec3_add_scaled(under, d.radius + 4e-3, across);
+        positions[i] =
+            from_end <= below ? under : vec3_add_scaled(under, d.radius + beside, across);
         from_end += i > 0 ? t.rest_lengths[i - 1] : 0.0;
     }
 }
@@ -151,9 +152,11 @@ static void a_tail_is_taken_where_jaws_reach_it(void **state)
     run(&r);
     rig_expect_goal(&r, VBSS_SESSION_GOAL_TAKE_TAIL, VBSS_METRICS_TOOL_LEFT);
     const double radius = vbss_scene_inspect_drain(r.scene.drain).radius;
-    lay_tail(&r, 6e-3);
+    lay_tail(&r, 6e-3, 4e-3);
     assert_true(aside(&r) > radius + 3e-3);
-    lay_tail(&r, 12e-3); /* no part that would do */
+    lay_tail(&r, 2e-3, 1e-3); /* it hangs down close to the drain */
+    assert_true(aside(&r) < radius + 1.1e-3);
+    lay_tail(&r, 12e-3, 4e-3); /* no part that would do */
     assert_true(fabs(aside(&r)) < 1e-3);
     rig_end(&r);
 }
