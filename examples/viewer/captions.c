@@ -16,7 +16,7 @@ static const char *const help[] = {
     "1 contacts  2 forces  3 tension  4 knot  5 task  6 step times  7 coach",
     "P pause, . a frame on    R from the beginning    H this    Esc",
     "aids, without a score: F2 needle's arc  F3 wind  F4 snap roll",
-    "F5 slow motion  F6 no sinking  F7 idle tool stays",
+    "F5 slow motion  F6 no sinking  F7 idle tool stays  F8 it follows",
     "G: ghost hands, and without them",
     "X: shears in place of the tool, and back, with empty jaws",
     "gamepad: sticks move, roll; left bumper: turn; right trigger: jaws;",
@@ -92,8 +92,10 @@ static void put_devices(playing *p)
 /* An assisted trial gets no score, whether its aids are on or off. */
 static void put_aids(playing *p)
 {
-    static const char *const names[] = {"needle's arc", "wind",       "snap roll",
-                                        "slow motion",  "no sinking", "idle tool stays"};
+    static const char *const names[] = {"needle's arc", "wind",
+                                        "snap roll",    "slow motion",
+                                        "no sinking",   "idle tool stays",
+                                        "idle tool follows"};
     char line[200] = "assisted, no score:";
     size_t used = strlen(line);
     if (!p->live.aided) {

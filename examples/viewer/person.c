@@ -87,7 +87,7 @@ static void on_key(void *user, int key, bool shift)
         p->show.overlays ^= SHOW_COACH;
     } else if (key == GLFW_KEY_F1 || key == GLFW_KEY_H) {
         p->show.overlays ^= SHOW_HELP;
-    } else if (key >= GLFW_KEY_F2 && key <= GLFW_KEY_F7) {
+    } else if (key >= GLFW_KEY_F2 && key <= GLFW_KEY_F8) {
         (void)live_toggle_aid(&p->live, 1U << (key - GLFW_KEY_F2));
     } else if (key == GLFW_KEY_X) {
         (void)live_exchange(&p->live, p->live.active); /* refused with something in the jaws */

@@ -183,6 +183,11 @@ static void visit_hand(vbss_stream *stream, session_aided_hand *hand)
     }
     vbss_stream_f64(stream, 97, &hand->arc_centre.x, 3);
     vbss_stream_f64(stream, 97, &hand->arc_axis.x, 3);
+    vbss_stream_u32(stream, 98, &hand->knows_other, 1);
+    vbss_stream_f64(stream, 99, &hand->still_time, 1);
+    vbss_stream_f64(stream, 99, &hand->limb_length, 1);
+    visit_pose(stream, &hand->other);
+    vbss_stream_f64(stream, 99, &hand->arm.x, 3);
 }
 
 static bool is_unit(quat q)
@@ -192,8 +197,10 @@ static bool is_unit(quat q)
 
 static bool is_hand_wrong(const session_aided_hand *hand)
 {
-    bool is_placed = is_unit(hand->input.orientation) && is_unit(hand->free.orientation);
-    return hand->is_relative > 1 || hand->is_on_arc > 1 || (hand->is_relative != 0 && !is_placed);
+    bool is_placed = is_unit(hand->input.orientation) && is_unit(hand->free.orientation) &&
+                     (hand->knows_other == 0 || is_unit(hand->other.orientation));
+    return hand->is_relative > 1 || hand->is_on_arc > 1 || hand->knows_other > 1 ||
+           (hand->is_relative != 0 && !is_placed);
 }
 
 void vbss_session_visit_assistance(vbss_stream *stream, session_object *s)

@@ -1,5 +1,5 @@
 /* The aids between the input of a hand and the target of its tool. Each changes the movement of one step:
- *   AUTO_HOLD -> HOVER -> ARC or WIND, else as the hand moves -> SNAP_ROLL
+ *   AUTO_HOLD -> HOVER -> ARC or WIND, else as the hand moves -> FOLLOW -> SNAP_ROLL
  * The result follows from the input, the state of the scene and the state of the aids alone. */
 #include "base/elementary.h"
 #include "base/pi.h"
@@ -23,19 +23,22 @@ static vbss_grasper *grasper_of(const session_object *s, uint32_t hand)
 typedef struct task_axes {
     vec3 up, along; /* out of the tissue; along the slit */
     vec3 onward;    /* from the first mark of the stitch to the second */
+    vec3 slit;      /* its middle, between the marks */
 } task_axes;
 
 static task_axes read_axes(const session_object *s, uint32_t hand)
 {
     const vbss_drain *drain = vbss_scene_inspect_body(s->scene, s->config.drain).drain;
-    task_axes a = {vec3_make(0.0, 0.0, 1.0), vec3_make(0.0, 1.0, 0.0), vec3_make(1.0, 0.0, 0.0)};
+    task_axes a = {vec3_make(0.0, 0.0, 1.0), vec3_make(0.0, 1.0, 0.0), vec3_make(1.0, 0.0, 0.0),
+                   vec3_zero()};
     if (drain == NULL) {
         return a;
     }
     const scene_drain_info d = vbss_scene_inspect_drain(drain);
     vec3 marks[2] = {d.positions[d.marks[0]], d.positions[d.marks[1]]};
     vec3 across = vec3_unit_or(vec3_sub(marks[1], marks[0]), a.onward);
-    vec3 up = vec3_sub(vec3_lerp(marks[0], marks[1], 0.5), d.centre);
+    a.slit = vec3_lerp(marks[0], marks[1], 0.5);
+    vec3 up = vec3_sub(a.slit, d.centre);
     uint32_t first = vbss_session_mark_of(s, hand, SESSION_ENTRY);
     a.up = vec3_unit_or(vec3_add_scaled(up, -vec3_dot(up, across), across), a.up);
     a.along = vec3_cross(a.up, across);
@@ -217,6 +220,13 @@ static void move(session_object *s, session_aided_hand *hand, uint32_t number,
     }
 }
 
+/* A mouse that is not moved differs by rounding. */
+static bool is_still(pose motion)
+{
+    return vec3_norm(motion.position) < SESSION_STILL &&
+           vec3_norm(vbss_quat_to_rotation_vector(motion.orientation)) < SESSION_STILL;
+}
+
 void vbss_session_assist(session_object *s, uint32_t hand, double h, session_input *input)
 {
     session_aided_hand *a = &s->assistance.hands[hand];
@@ -229,10 +239,12 @@ void vbss_session_assist(session_object *s, uint32_t hand, double h, session_inp
         vec3_sub(input->pose.position, a->input.position),
         quat_unit(quat_mul(input->pose.orientation, quat_conjugate(a->input.orientation)))};
     a->input = input->pose;
+    bool rests = is_idle || is_still(motion);
     if (!is_idle) {
         motion.position = hover(s, a, h, axes.up, motion.position);
         move(s, a, hand, &axes, motion);
     }
+    vbss_session_follow(s, hand, h, rests, axes.slit, axes.up);
     snap(s, a, h, axes.along);
     input->pose = pose_make(a->free.position, a->roll != 0.0 ? roll_by(a->free.orientation, a->roll)
                                                              : a->free.orientation);

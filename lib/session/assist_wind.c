@@ -11,9 +11,8 @@ static scene_grasper_info tool_of(const session_object *s, uint32_t hand)
         vbss_scene_inspect_body(s->scene, s->config.tools[hand]).grasper);
 }
 
-/* From the tip of the tool to the end of the needle that the thread is on, in the tool's frame. A hand without the needle winds with
- * its tip. */
-static vec3 thread_end(const session_object *s, uint32_t hand)
+/* A hand without the needle winds with its tip. */
+vec3 vbss_session_thread_end(const session_object *s, uint32_t hand)
 {
     const vbss_needle *needle = vbss_scene_inspect_body(s->scene, s->config.needle).needle;
     vbss_grasper_state state;
@@ -49,7 +48,7 @@ double vbss_session_wind_radius(const session_object *s, const session_observati
     double snug = SESSION_WIND_SNUG * (length - vec3_distance(root, centre) - wound);
     /* A limb that becomes longer comes out of the stitch: a wider circle would draw the tail out. */
     double limit = winds && turns > 0.5 ? radius : SESSION_WIND_MAX_RADIUS;
-    if (winds && observed->tension[SESSION_EXIT] > SESSION_WIND_PULL) {
+    if (winds && observed->needle_pull > SESSION_WIND_PULL) {
         limit = vbss_min(limit, SESSION_WIND_NEARER * radius);
     }
     return vbss_min(vbss_max(vbss_min(snug, limit), SESSION_WIND_RADIUS), SESSION_WIND_MAX_RADIUS);
@@ -79,7 +78,7 @@ void vbss_session_wind(session_object *s, session_aided_hand *hand, uint32_t num
     vec3 centre = vec3_add_scaled(tool.pose.position, SESSION_WIND_BEHIND, back);
     vec3 axis = vec3_scale(back, vbss_session_wanted_sign(s));
     vec3 end =
-        vec3_add(hand->free.position, quat_rotate(hand->free.orientation, thread_end(s, number)));
+        vec3_add(hand->free.position, quat_rotate(hand->free.orientation, vbss_session_thread_end(s, number)));
     vec3 from = vec3_sub(end, centre);
     double aside = vec3_dot(from, axis), step = fabs(length);
     vec3 arm = vec3_add_scaled(from, -aside, axis);

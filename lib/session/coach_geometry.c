@@ -348,11 +348,36 @@ static void describe_winding(const session_object *s, const session_observation 
     c->distance = vec3_distance(tip, vec3_load(c->point));
 }
 
+/* Whether the drain lies over a place, or so much beside it, m. */
+static bool is_under_drain(const task_frame *f, vec3 position, double reach)
+{
+    const vec3 from = vec3_sub(position, f->centre);
+    return vec3_dot(from, f->up) < 0.0 && fabs(vec3_dot(from, f->across)) < reach;
+}
+
+/* Near the end of the tail; if that is under the drain, where jaws reach it beside the drain. */
+static thread_point find_tail_hold(const session_object *s, const session_observation *observed)
+{
+    const task_frame f = read_frame(s, observed);
+    const double end = observed->thread_length, radius = observed->drain_radius;
+    const double most = SESSION_TAIL_HOLD_MOST * s->config.tail_reach;
+    const thread_point p = point_on_thread(s, observed, end - SESSION_TAIL_HOLD);
+    thread_point q = p;
+    double hold = SESSION_TAIL_HOLD;
+    if (!is_under_drain(&f, p.position, radius)) {
+        return p;
+    }
+    while (hold < most && is_under_drain(&f, q.position, radius + SESSION_TAIL_CLEAR)) {
+        hold += SESSION_TAIL_HOLD_STEP;
+        q = point_on_thread(s, observed, end - hold);
+    }
+    return hold < most ? q : p;
+}
+
 static void describe_tail(const session_object *s, const session_observation *observed,
                           session_goal goal, vbss_session_coaching *c)
 {
-    const thread_point p =
-        point_on_thread(s, observed, observed->thread_length - SESSION_TAIL_HOLD);
+    const thread_point p = find_tail_hold(s, observed);
     c->number = vbss_session_next_throw(s);
     set_point(c, p.position);
     set_direction(c, vec3_neg(p.direction));

@@ -139,8 +139,9 @@ static session_goal find_goal_of_throw(const session_object *s, const session_ob
         return goal;
     }
     /* A slit that opens meanwhile is closed by the next throw, once this is through. */
-    double wound =
-        is_current(s, VBSS_SESSION_GOAL_DRAW_TAIL) ? SESSION_THROUGH_TURNS : SESSION_WOUND_TURNS;
+    double wound = is_current(s, VBSS_SESSION_GOAL_DRAW_TAIL) ? SESSION_THROUGH_TURNS
+                   : is_current(s, VBSS_SESSION_GOAL_SEAT)    ? SESSION_REWOUND_TURNS
+                                                              : SESSION_WOUND_TURNS;
     bool draws = observed->tools[loop].has_tail && fabs(s->coach.turns[loop]) > wound;
     if (vbss_session_has_to_seat(s) && !draws) {
         return holds_thread ? make_goal(VBSS_SESSION_GOAL_SEAT, loop)

@@ -172,10 +172,11 @@ static uint64_t observe_pull(const session_object *s, const mistake_facts *f)
     double weaker = vbss_min(o->tension[0], o->tension[1]);
     double stronger = vbss_max(o->tension[0], o->tension[1]);
     bool is_seating = vbss_session_has_to_seat(s);
+    bool draws = vbss_session_current_goal(s).goal == VBSS_SESSION_GOAL_DRAW_TAIL;
     bool is_one_sided = is_drawn_through(s) || (stronger > s->config.seat_force &&
                                                 weaker < SESSION_ONE_SIDED_RATIO * stronger);
     return when(is_seating && is_one_sided, BIT(ONE_SIDED)) |
-           when(is_seating && stronger < SESSION_SLACK_TENSION, BIT(SLACK)) |
+           when(is_seating && !draws && stronger < SESSION_SLACK_TENSION, BIT(SLACK)) |
            when(s->throw_count > 0 && o->edge_gap < -SESSION_CROSSED_EDGES, BIT(WALLS_CROSSED)) |
            when(o->max_tension > SESSION_HARD_PULL, BIT(PULLED_HARD)) |
            when(o->anchor_load > SESSION_ANCHOR_LOAD, BIT(DRAIN_TEARING));

@@ -1,5 +1,6 @@
 /* Fills the observation of the task from the scene after a step. */
 #include "session/session.h"
+#include "session/tuning.h"
 
 /* ---- bodies */
 
@@ -49,8 +50,12 @@ static void observe_tension(const scene_thread_info *t, const double arcs[SESSIO
                             session_observation *observed)
 {
     double arc = 0.0;
+    observed->needle_pull = t->node_count > 1 ? t->tensions[0] : 0.0;
     for (uint32_t i = 0; i + 1 < t->node_count; i++) {
         double tension = t->tensions[i];
+        if (arc < SESSION_PULL_SPAN) {
+            observed->needle_pull = vbss_min(observed->needle_pull, tension);
+        }
         observed->max_tension = vbss_max(observed->max_tension, tension);
         if (arc > arcs[SESSION_ENTRY]) {
             observed->tension[SESSION_ENTRY] = vbss_max(observed->tension[SESSION_ENTRY], tension);

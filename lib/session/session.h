@@ -98,6 +98,8 @@ typedef struct session_observation {
     double thread_length;                              /* at rest, m */
     /* Largest tension of each limb, 0 without its hole, and of the whole thread, N. */
     double tension[SESSION_SIDES], max_tension;
+    double
+        needle_pull; /* smallest tension of the limb beside the needle: a hand pulls with so much, N */
     vec3 thread_ends[SESSION_SIDES]; /* the tail's end; the first node */
     /* Gap of the slit, m: in its middle, the largest along it, and in its middle with a sign, which
      * is negative if the edges have crossed. config.gap_measure says between what. */
@@ -194,6 +196,13 @@ typedef struct session_aided_hand {
     /* ARC: 1 while the needle is turned about this centre, m, and unit axis */
     uint32_t is_on_arc;
     vec3 arc_centre, arc_axis;
+    /* FOLLOW: time for which the hand has rested, s; 1: the pose of the other tool in the last step is known; that pose. While it goes along:
+     * length from the stitch over the other tool to the needle, m, 0: it does not; unit direction from that tool to the needle. */
+    double still_time;
+    uint32_t knows_other;
+    pose other;
+    double limb_length;
+    vec3 arm;
 } session_aided_hand;
 
 typedef struct session_assistance {
@@ -340,7 +349,17 @@ void vbss_session_visit_assistance(vbss_stream *stream, session_object *s);
 /* Changes the input of a hand as the aids demand. `h` is the time since the input before, s. */
 void vbss_session_assist(session_object *s, uint32_t hand, double h, session_input *input);
 
+/* ---- assist_follow.c */
+
+/* FOLLOW, for the hand `number`: its tool follows the other one if its own hand `rests`. `h` is the time since the input before, s;
+ * `slit` the middle of the slit; `up` the direction out of the tissue. */
+void vbss_session_follow(session_object *s, uint32_t number, double h, bool rests, vec3 slit,
+                         vec3 up);
+
 /* ---- assist_wind.c */
+
+/* From the tip of a hand's tool to the end of the needle that the thread is on, in the tool's frame, m; zero without the needle. */
+vec3 vbss_session_thread_end(const session_object *s, uint32_t hand);
 
 /* Length of the thread from the needle to the tissue or the knot, m; negative: it is in no stitch. */
 double vbss_session_limb_length(const session_object *s, const session_observation *observed);

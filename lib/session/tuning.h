@@ -58,6 +58,11 @@
 /* Distance from the tail's end at which it is taken.
  * Unit: m. Origin: chosen, of the scripted surgeon. Test: none known. */
 #define SESSION_TAIL_HOLD VBSS_TUNE(SESSION_TAIL_HOLD, 3.5e-3)
+/* If the drain lies over that place, the next one is so much nearer to the stitch, up to this share of tail_reach. Jaws need so much room
+ * beside the drain. Unit: m; 1; m. Origin: chosen; for the jaws, half their width. Test: session.coach_goals. */
+#define SESSION_TAIL_HOLD_STEP VBSS_TUNE(SESSION_TAIL_HOLD_STEP, 1e-3)
+#define SESSION_TAIL_HOLD_MOST VBSS_TUNE(SESSION_TAIL_HOLD_MOST, 0.9)
+#define SESSION_TAIL_CLEAR VBSS_TUNE(SESSION_TAIL_CLEAR, 2e-3)
 /* Distance from the hole at which a tail that is too short is taken.
  * Unit: m. Origin: chosen: jaws clear of the wall. Test: session.coach_goals. */
 #define SESSION_TAIL_ROOT VBSS_TUNE(SESSION_TAIL_ROOT, 4e-3)
@@ -85,6 +90,9 @@
  * steps nearer than any limb is short. Test: session.assistance. */
 #define SESSION_WIND_PULL VBSS_TUNE(SESSION_WIND_PULL, 0.1)
 #define SESSION_WIND_NEARER VBSS_TUNE(SESSION_WIND_NEARER, 0.9)
+/* Length of the limb beside the needle whose smallest tension is the pull of the hand: a tied throw keeps up to 0.4 N in the limb
+ * beside the stitch. Unit: m. Origin: chosen: less than a quarter of the smallest circle. Test: session.assistance. */
+#define SESSION_PULL_SPAN VBSS_TUNE(SESSION_PULL_SPAN, 10e-3)
 /* Time for which WIND stops when turns have come off: a hand that winds on draws the thread out.
  * Unit: s. Origin: chosen: longer than a movement and the reaction to the coach. Test: session.assistance. */
 #define SESSION_WIND_PAUSE VBSS_TUNE(SESSION_WIND_PAUSE, 2.0)
@@ -97,6 +105,9 @@
 /* Turns from which the thread is wound about a tool; those of the detector's wrap_turns.
  * Unit: turns. Origin: chosen. Test: session.coach_mistakes. */
 #define SESSION_WOUND_TURNS VBSS_TUNE(SESSION_WOUND_TURNS, 0.75)
+/* Turns from which the thread is wound about a tool that pulls: hands that go round the slit see up to 0.9 turns.
+ * Unit: turns. Origin: chosen. Test: session.coach_goals. */
+#define SESSION_REWOUND_TURNS VBSS_TUNE(SESSION_REWOUND_TURNS, 1.25)
 /* Turns below which a tail that is drawn has come through.
  * Unit: turns. Origin: chosen: a last turn on the jaws is seen as 0.7 to 0.9. Test: session.coach_goals. */
 #define SESSION_THROUGH_TURNS VBSS_TUNE(SESSION_THROUGH_TURNS, 0.3)
@@ -160,6 +171,36 @@
 /* Change of the opening that ends a hold.
  * Unit: 1, of the whole opening. Origin: chosen: above the tremor of a grip. Test: session.assistance. */
 #define SESSION_HOLD_OPENING VBSS_TUNE(SESSION_HOLD_OPENING, 0.25)
+
+/* Movement of a hand in a step, and turn, below which it rests.
+ * Unit: m, rad. Origin: chosen: above rounding, below any movement. Test: session.assistance_follow. */
+#define SESSION_STILL VBSS_TUNE(SESSION_STILL, 1e-7)
+/* Time for which a hand rests before its tool follows.
+ * Unit: s. Origin: chosen: longer than a step of any input, shorter than a pause between movements. Test: session.assistance_follow. */
+#define SESSION_FOLLOW_REST VBSS_TUNE(SESSION_FOLLOW_REST, 0.1)
+/* Difference of the tensions of both ends at which the following one does not pull, or pulls twice as far: of slack ends, and at most.
+ * Unit: N. Origin: chosen, of the scripted surgeon. Test: session.assistance_follow. */
+#define SESSION_FOLLOW_UNLIKE_SLACK VBSS_TUNE(SESSION_FOLLOW_UNLIKE_SLACK, 0.05)
+#define SESSION_FOLLOW_UNLIKE VBSS_TUNE(SESSION_FOLLOW_UNLIKE, 0.15)
+/* Tension up to which the limb is taken up while the tail is drawn.
+ * Unit: N. Origin: chosen, of the scripted surgeon. Test: session.assistance_follow. */
+#define SESSION_FOLLOW_LIGHT VBSS_TUNE(SESSION_FOLLOW_LIGHT, 0.05)
+/* The smallest distance of the needle from jaws that it goes along with; the largest of a tool that follows from the slit.
+ * Unit: m. Origin: chosen: clear of the jaws; the length of a limb. Test: session.assistance_follow. */
+#define SESSION_FOLLOW_NEAREST VBSS_TUNE(SESSION_FOLLOW_NEAREST, 15e-3)
+#define SESSION_FOLLOW_FARTHEST VBSS_TUNE(SESSION_FOLLOW_FARTHEST, 0.15)
+/* So much shorter than at first is the path of the limb that goes along: the turns lie otherwise about jaws that turn.
+ * Unit: m. Origin: derived: half a turn about the neck. Test: session.assistance_follow. */
+#define SESSION_FOLLOW_SLACK VBSS_TUNE(SESSION_FOLLOW_SLACK, 4e-3)
+/* Height of such a needle over the jaws, at least.
+ * Unit: 1, relative to its distance from them at first. Origin: chosen: the scripted mouse's. Test: session.assistance_follow. */
+#define SESSION_FOLLOW_RISE VBSS_TUNE(SESSION_FOLLOW_RISE, 0.5)
+/* Height over the slit above which such a needle is kept.
+ * Unit: m. Origin: chosen: half a needle. Test: session.assistance_follow. */
+#define SESSION_FOLLOW_CLEAR VBSS_TUNE(SESSION_FOLLOW_CLEAR, 10e-3)
+/* Speed of a tool that goes along, at most.
+ * Unit: 1, relative to the other tool's. Origin: chosen: both components of the way. Test: session.assistance_follow. */
+#define SESSION_FOLLOW_FASTEST VBSS_TUNE(SESSION_FOLLOW_FASTEST, 2.0)
 
 /* ---- Exercises (exercise.c) */
 

@@ -270,14 +270,14 @@ static void winding_keeps_the_thread_nearly_taut(void **state)
     expect_near(0.92 * (30e-3 - wound),
                 vbss_session_wind_radius(s, &seen, RIG_LEFT, centre, 25e-3, true), 1e-9);
     /* Pulled, it shrinks; wound back it need not. */
-    seen.tension[SESSION_EXIT] = 0.05;
+    seen.needle_pull = 0.05;
     expect_near(15e-3, vbss_session_wind_radius(s, &seen, RIG_LEFT, centre, 15e-3, true), 1e-9);
-    seen.tension[SESSION_EXIT] = 0.2;
+    seen.needle_pull = 0.2;
     expect_near(0.9 * 15e-3, vbss_session_wind_radius(s, &seen, RIG_LEFT, centre, 15e-3, true),
                 1e-9);
     expect_near(0.92 * (30e-3 - wound),
                 vbss_session_wind_radius(s, &seen, RIG_LEFT, centre, 15e-3, false), 1e-9);
-    seen.tension[SESSION_EXIT] = 0.0;
+    seen.needle_pull = 0.0;
     s->coach.turns[RIG_LEFT] = sign * 0.9;
     wound = 6.283185307179586 * 0.4 * 1.3e-3;
     expect_near(0.92 * (30e-3 - wound),
@@ -286,6 +286,27 @@ static void winding_keeps_the_thread_nearly_taut(void **state)
     s->knot.is_located = true; /* so long a part of the thread is in it */
     s->knot.end_arcs[SESSION_EXIT] = arc - 40e-3;
     expect_near(8e-3, vbss_session_wind_radius(s, &seen, RIG_LEFT, centre, 20e-3, false), SLACK);
+    rig_end(&p.r);
+}
+
+/* A tied throw keeps some tension in the limb beside the stitch. */
+static void a_hand_pulls_with_the_tension_beside_the_needle(void **state)
+{
+    (void)state;
+    static hand_path p;
+    begin(&p);
+    const scene_thread_info t = vbss_scene_inspect_thread(p.r.scene.thread);
+    double *tensions = (double *)(uintptr_t)t.tensions, arc = 0.0;
+    session_observation seen;
+    for (int k = 0; k < 2; k++) {
+        arc = 0.0;
+        for (uint32_t i = 0; i + 1 < t.node_count; i++) {
+            tensions[i] = arc < 11e-3 ? 0.2 * k + (i == 3 ? 0.1 : 0.0) : 0.3;
+            arc += t.rest_lengths[i];
+        }
+        vbss_session_observe(p.r.s, &seen);
+        expect_near(0.2 * k, seen.needle_pull, SLACK);
+    }
     rig_end(&p.r);
 }
 
@@ -499,7 +520,7 @@ static void bad_input_is_refused(void **state)
     vbss_session *s = p.r.session;
     vbss_session_hand hand = p.input;
     vbss_session_assistance a = vbss_session_assistance_default();
-    a.aids = 64;
+    a.aids = VBSS_SESSION_AID_ALL + 1;
     expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_session_set_assistance(s, &a));
     a.aids = VBSS_SESSION_AID_ALL;
     a.time_scale = 0.1;
@@ -536,6 +557,7 @@ int test_assistance(void)
         cmocka_unit_test(winding_stops_when_turns_come_off),
         cmocka_unit_test(winding_comes_to_its_limits),
         cmocka_unit_test(winding_keeps_the_thread_nearly_taut),
+        cmocka_unit_test(a_hand_pulls_with_the_tension_beside_the_needle),
         cmocka_unit_test(roll_snaps_to_steps),
         cmocka_unit_test(time_goes_slower),
         cmocka_unit_test(hands_that_sink_keep_their_height),

@@ -114,6 +114,53 @@ static void expect_path_of_tail(const rig *r)
     assert_true(vec3_dot(vec3_sub(on_arc(&c, 0.5 * c.arc_angle), slit), up) > 0.0);
 }
 
+/* Lays so much of the tail's end below the drain, the rest beside it. */
+static void lay_tail(const rig *r, double below, double beside)
+{
+    const scene_thread_info t = vbss_scene_inspect_thread(r->scene.thread);
+    const scene_drain_info d = vbss_scene_inspect_drain(r->scene.drain);
+    const vec3 across =
+        vec3_unit_or(vec3_sub(d.positions[d.marks[1]], d.positions[d.marks[0]]), vec3_zero());
+    const vec3 top = vec3_lerp(d.positions[d.marks[0]], d.positions[d.marks[1]], 0.5);
+    vec3 *positions = (vec3 *)(uintptr_t)t.positions;
+    double from_end = 0.0;
+    for (uint32_t i = t.node_count; i-- > 0;) {
+        const vec3 under = vec3_sub(vec3_scale(d.centre, 2.0), top);
+        positions[i] =
+            from_end <= below ? under : vec3_add_scaled(under, d.radius + beside, across);
+        from_end += i > 0 ? t.rest_lengths[i - 1] : 0.0;
+    }
+}
+
+/* Across from the middle of the drain, m. */
+static double aside(const rig *r)
+{
+    const scene_drain_info d = vbss_scene_inspect_drain(r->scene.drain);
+    const vec3 across =
+        vec3_unit_or(vec3_sub(d.positions[d.marks[1]], d.positions[d.marks[0]]), vec3_zero());
+    return vec3_dot(vec3_sub(vec3_load(rig_coaching(r).point), d.centre), across);
+}
+
+/* Near its end, but beside the drain. */
+static void a_tail_is_taken_where_jaws_reach_it(void **state)
+{
+    (void)state;
+    rig r;
+    rig_begin_coached(&r);
+    rig_to_tail(&r);
+    rig_wind(&r, RIG_LEFT, 2.3, 1);
+    run(&r);
+    rig_expect_goal(&r, VBSS_SESSION_GOAL_TAKE_TAIL, VBSS_METRICS_TOOL_LEFT);
+    const double radius = vbss_scene_inspect_drain(r.scene.drain).radius;
+    lay_tail(&r, 6e-3, 4e-3);
+    assert_true(aside(&r) > radius + 3e-3);
+    lay_tail(&r, 2e-3, 1e-3); /* it hangs down close to the drain */
+    assert_true(aside(&r) < radius + 1.1e-3);
+    lay_tail(&r, 12e-3, 4e-3); /* no part that would do */
+    assert_true(fabs(aside(&r)) < 1e-3);
+    rig_end(&r);
+}
+
 static void throw_goals_follow_the_thread(void **state)
 {
     (void)state;
@@ -159,6 +206,14 @@ static void throw_goals_follow_the_thread(void **state)
     run(&r);
     rig_expect_goal(&r, VBSS_SESSION_GOAL_SEAT, VBSS_METRICS_TOOL_LEFT);
     assert_int_equal(rig_coaching(&r).mistake, VBSS_SESSION_MISTAKE_NONE);
+    rig_wind(&r, RIG_LEFT, 0.9, 1); /* hands that go round the slit */
+    run(&r);
+    rig_expect_goal(&r, VBSS_SESSION_GOAL_SEAT, VBSS_METRICS_TOOL_LEFT);
+    rig_wind(&r, RIG_LEFT, 1.3, 1); /* wound in earnest */
+    run(&r);
+    rig_expect_goal(&r, VBSS_SESSION_GOAL_DRAW_TAIL, VBSS_METRICS_TOOL_LEFT);
+    rig_wind(&r, RIG_LEFT, 0.1, 0);
+    run(&r);
     rig_pull(&r, 1.0, 3e-4);
     run(&r);
     rig_expect_goal(&r, VBSS_SESSION_GOAL_RELEASE_TAIL, VBSS_METRICS_TOOL_LEFT);
@@ -528,6 +583,7 @@ int test_coach_goals(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(stitch_goals_follow_the_needle),
+        cmocka_unit_test(a_tail_is_taken_where_jaws_reach_it),
         cmocka_unit_test(throw_goals_follow_the_thread),
         cmocka_unit_test(later_throw_is_wound_for_a_square),
         cmocka_unit_test(opened_slit_is_left_to_the_next_throw),

@@ -362,6 +362,24 @@ static void loose_throw_is_not_judged(void **state)
     rig_end(&r);
 }
 
+/* It is not to be pulled yet. */
+static void a_throw_that_is_drawn_does_not_hang_loose(void **state)
+{
+    (void)state;
+    rig r;
+    to_tied(&r);
+    rig_hold_thread(&r, RIG_LEFT, 4e-3);
+    rig_wind(&r, RIG_LEFT, 2.0, 1);
+    rig_pull(&r, 0.05, 2e-3);
+    rig_run(&r, 6.0);
+    assert_int_equal(rig_coaching(&r).goal, VBSS_SESSION_GOAL_DRAW_TAIL);
+    assert_false(is_open(&r, VBSS_SESSION_MISTAKE_SLACK));
+    rig_wind(&r, RIG_LEFT, 0.0, 0);
+    rig_run(&r, 5.5);
+    assert_true(is_open(&r, VBSS_SESSION_MISTAKE_SLACK));
+    rig_end(&r);
+}
+
 static void unequal_and_missing_pull_are_named(void **state)
 {
     (void)state;
@@ -518,6 +536,7 @@ int test_coach_mistakes(void)
         cmocka_unit_test(throws_are_judged_as_they_are_tied),
         cmocka_unit_test(faults_of_the_knot_are_named),
         cmocka_unit_test(loose_throw_is_not_judged),
+        cmocka_unit_test(a_throw_that_is_drawn_does_not_hang_loose),
         cmocka_unit_test(unequal_and_missing_pull_are_named),
         cmocka_unit_test(thread_drawn_through_the_stitch_is_a_pull_at_one_end),
         cmocka_unit_test(slit_is_watched),
