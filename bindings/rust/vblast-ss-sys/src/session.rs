@@ -182,8 +182,15 @@ pub const VBSS_SESSION_AID_HOVER: u32 = 16;
 /// The tool and the jaws of a hand that has moved less than `hold_distance` for `hold_time` stay where
 /// they are, until the hand leaves this distance.
 pub const VBSS_SESSION_AID_AUTO_HOLD: u32 = 32;
+/// The tool of a hand that has rested for 0.1 s follows the tool of the other hand while that one moves, for
+/// inputs that move one hand at a time. It needs a coach and acts by the coach's goal, while the thread is held
+/// at both ends. TAKE_TAIL, and DRAW_TAIL after the first throw, with turns on the jaws: the needle goes along
+/// with them and above them, so that the thread stays as long from the slit over the jaws to the needle; it comes nearer while its end of the thread bears more than 0.05 N. SEAT, RELEASE_TAIL: the tool moves
+/// opposite to the other one at its own height. It moves up to twice as far, or gives way, so that both ends bear
+/// as much. The tool stays within 0.15 m of the slit. It is not turned, and its jaws do not move.
+pub const VBSS_SESSION_AID_FOLLOW: u32 = 64;
 /// All aids.
-pub const VBSS_SESSION_AID_ALL: u32 = 63;
+pub const VBSS_SESSION_AID_ALL: u32 = 127;
 
 // The constants of vbss_session_gap.
 /// Gap between the lips, which are as high as the wall: vbss_drain_gap.opening. A wall that
