@@ -11,6 +11,7 @@
 #define BESIDE v3(0.0, 3e-3, 0.0) /* the marks, of one who misses them: along the drain */
 #define LIFT 0.08                 /* m, of a needle in both walls */
 #define A_MOMENT 0.1              /* s */
+#define OPEN 0.4e-3               /* m: pulled flat, a slit that is wider stays open */
 /* So often a throw that springs open as its tail is let go is pulled again, and so often lost throws are tied again. */
 enum { RETAKEN = 2, RETURNED = 4 };
 
@@ -224,7 +225,7 @@ static vbss_result over(surgeon *s, double dt)
     if (s->over.state == HAND_OVER_SPRUNG) {
         s->retaken++;
         s->stage = (surgeon_stage)(s->stage - 1);
-        throw_retake(&s->tie);
+        throw_retake(&s->tie, s->gap < OPEN);
     } else if (s->over.state == HAND_OVER_DONE) {
         s->stage = (surgeon_stage)(s->stage + 1);
         TRY(surgeon_begin_next(s));
