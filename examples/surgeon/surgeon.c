@@ -277,6 +277,10 @@ vbss_result surgeon_step(surgeon *s, double dt)
     TRY(vbss_drain_get_gap(s->stitch.site.drain, &gap, sizeof gap));
     s->gap = gap.opening;
     s->edges = gap.gap;
+    if (s->stage >= SURGEON_TIE && s->stage < SURGEON_CUT && pull_tail(&s->stitch) < 0.0) {
+        fail(s, "the thread is out of the drain");
+        return VBSS_OK;
+    }
     if (s->limit > 0.0 && s->stitch.site.rig.time > s->limit + A_MOMENT) {
         fail(s, "idle");
     } else if (s->mistake == SURGEON_IDLE || hesitates(&s->thinks, surgeon_doing(s), dt)) {
