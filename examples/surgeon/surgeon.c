@@ -11,6 +11,7 @@
 #define BESIDE v3(0.0, 3e-3, 0.0) /* the marks, of one who misses them: along the drain */
 #define LIFT 0.08                 /* m, of a needle in both walls */
 #define A_MOMENT 0.1              /* s */
+#define OPEN 0.4e-3               /* m: pulled flat, a slit that is wider stays open */
 /* So often a throw that springs open as its tail is let go is pulled again, and so often lost throws are tied again. */
 enum { RETAKEN = 2, RETURNED = 4 };
 
@@ -224,7 +225,7 @@ static vbss_result over(surgeon *s, double dt)
     if (s->over.state == HAND_OVER_SPRUNG) {
         s->retaken++;
         s->stage = (surgeon_stage)(s->stage - 1);
-        throw_retake(&s->tie);
+        throw_retake(&s->tie, s->gap < OPEN);
     } else if (s->over.state == HAND_OVER_DONE) {
         s->stage = (surgeon_stage)(s->stage + 1);
         TRY(surgeon_begin_next(s));
@@ -276,6 +277,10 @@ vbss_result surgeon_step(surgeon *s, double dt)
     TRY(vbss_drain_get_gap(s->stitch.site.drain, &gap, sizeof gap));
     s->gap = gap.opening;
     s->edges = gap.gap;
+    if (s->stage >= SURGEON_TIE && s->stage < SURGEON_CUT && pull_tail(&s->stitch) < 0.0) {
+        fail(s, "the thread is out of the drain");
+        return VBSS_OK;
+    }
     if (s->limit > 0.0 && s->stitch.site.rig.time > s->limit + A_MOMENT) {
         fail(s, "idle");
     } else if (s->mistake == SURGEON_IDLE || hesitates(&s->thinks, surgeon_doing(s), dt)) {

@@ -74,8 +74,9 @@ void throw_tail(throw_run *t, double dt)
     }
 }
 
-void throw_retake(throw_run *t)
+void throw_retake(throw_run *t, bool evenly)
 {
+    t->evenly = evenly && !t->plan.even; /* pulled so before, it has sprung open again */
     t->elsewhere = 0;
     begin_catch(t, place_of_tail(t));
     throw_enter(t, THROW_RETAKE);
@@ -89,10 +90,10 @@ void throw_take_again(throw_run *t, double dt)
         hand_turn(t->see->w, catch_point(t->see, t->see->w, t->grip.node));
     }
     catch_step(&t->grip, dt);
-    if (t->grip.state == CATCH_HELD && t->plan.even) { /* so it has sprung open, too */
-        throw_pull_again(t);
-    } else if (t->grip.state == CATCH_HELD) {
+    if (t->grip.state == CATCH_HELD && t->evenly) {
         throw_pull_evenly(t);
+    } else if (t->grip.state == CATCH_HELD) {
+        throw_pull_again(t);
     } else if (t->grip.state == CATCH_MISSED) {
         throw_enter(t, THROW_DONE);
     }

@@ -114,6 +114,7 @@ typedef struct throw_run {
     bool unwinds;                  /* all of it, and then anew, with the plan `next` */
     throw_plan next;
     bool dropped;            /* the tail, knowingly */
+    bool evenly;             /* it is pulled flat once the tail is taken again */
     bool left;               /* what was wound is taken off again, and the throw ends */
     double closed;           /* s in this state when both ends can be pulled; 0: not yet */
     double round_w, round_c; /* rad about the knot, of both hands as they go back */
@@ -147,8 +148,8 @@ void throw_seated(throw_run *t);
 /* It was, and both ends are slack now: it may be pulled again. */
 bool throw_is_slack(const throw_run *t);
 void throw_pull_again(throw_run *t);
-/* It has sprung open since W let the tail go: W takes that again, and both pull again. */
-void throw_retake(throw_run *t);
+/* It has sprung open since W let the tail go: W takes that again, and both pull again, flat with both ends bent or from behind. */
+void throw_retake(throw_run *t, bool evenly);
 /* Nothing is drawn through yet: W comes out of the turns, and the throw ends with `left`. */
 void throw_leave(throw_run *t);
 /* That the throw shall have: each has the other hand's. */
