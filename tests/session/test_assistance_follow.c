@@ -80,6 +80,8 @@ static void begin_with(hands *p, vbss_session_goal goal, bool has_left)
     expect_ok(vbss_session_create(p->r.scene.scene, &p->r.scene.config, &p->r.session));
     expect_ok(vbss_session_open(p->r.session, &p->r.s));
     p->goal = goal;
+    p->tail = p->limb =
+        goal == VBSS_SESSION_GOAL_SEAT || goal == VBSS_SESSION_GOAL_RELEASE_TAIL ? 0.5 : 0.0;
     for (int i = 0; i < 2; i++) {
         p->input[i] = vbss_session_hand_default();
         const pose at = target_of(p, i);
@@ -171,9 +173,12 @@ static void the_end_that_bears_more_is_pulled_less(void **state)
     p.limb = 0.0;
     expect_moved(vec3_scale(opposite(&p, out), 2.0), move(&p, RIG_LEFT, out));
     expect_moved(zero, move(&p, RIG_LEFT, in));
-    p.limb = 0.025; /* slack ends differ by less */
-    p.tail = 0.0;
+    p.tail = 0.06;
+    p.limb = 0.094; /* ends that bear little differ by less */
     expect_moved(vec3_scale(opposite(&p, out), 0.5), move(&p, RIG_LEFT, out));
+    p.tail = p.limb = 0.04; /* slack is taken up alone */
+    expect_moved(zero, move(&p, RIG_LEFT, out));
+    expect_moved(opposite(&p, in), move(&p, RIG_LEFT, in));
     rig_end(&p.r);
 }
 
