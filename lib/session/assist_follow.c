@@ -116,8 +116,8 @@ static double find_share(const follow_step *f, vec3 moved)
     double unlike = pulls ? other - own : own - other;
     unlike /=
         vbss_min(SESSION_FOLLOW_UNLIKE_SLACK + 0.3 * vbss_min(own, other), SESSION_FOLLOW_UNLIKE);
-    double most = pulls && other < SESSION_FOLLOW_LIGHT ? 0.0 : 2.0; /* slack is taken up alone */
-    return vbss_min(vbss_max(1.0 + unlike, pulls ? -1.0 : 0.0), most);
+    double limit = pulls && other < SESSION_FOLLOW_LIGHT ? 0.0 : 2.0; /* slack is taken up alone */
+    return vbss_min(vbss_max(1.0 + unlike, pulls ? -1.0 : 0.0), limit);
 }
 
 /* At the same height: the tail's tool is near the floor. */

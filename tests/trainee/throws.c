@@ -382,10 +382,10 @@ static bool close_turn(trainee *t, int loop)
 
 static bool seat(trainee *t, int loop, double home)
 {
-    const bool stands = t->is_later && !t->has_pulled && !t->is_crossed;
+    const bool is_open = t->is_later && !t->has_pulled && !t->is_crossed;
     t->has_pulled = true;
     t->is_wound = false;
-    if (stands && !close_turn(t, loop)) {
+    if (is_open && !close_turn(t, loop)) {
         return false;
     }
     for (int i = 0; i < 60 && is_goal(t, VBSS_SESSION_GOAL_SEAT); i++) {
