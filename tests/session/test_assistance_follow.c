@@ -94,7 +94,7 @@ static void begin_with(hands *p, vbss_session_goal goal, bool has_left)
     const vec3 out = vec3_sub(p->slit, d.centre);
     p->up = vec3_unit_or(vec3_add_scaled(out, -vec3_dot(out, across), across), vec3_zero());
     set_aids(p, VBSS_SESSION_AID_FOLLOW);
-    rest(p, 200);
+    rest(p, 120);
 }
 
 static void begin(hands *p, vbss_session_goal goal)
@@ -194,9 +194,9 @@ static double path_of_limb(const hands *p)
 
 static void move_with_turns(hands *p)
 {
-    for (int i = 0; i < 900; i++) {
+    for (int i = 0; i < 500; i++) {
         const vec3 left = target_of(p, RIG_LEFT).position, right = target_of(p, RIG_RIGHT).position;
-        const double by = i < 500 ? STRIDE : -STRIDE;
+        const double by = i < 300 ? STRIDE : -STRIDE;
         shift(p, RIG_LEFT, vec3_make(0.3 * by, by, -0.5 * by));
         step(p);
         double moved = vec3_distance(left, target_of(p, RIG_LEFT).position);
@@ -314,7 +314,7 @@ static void switching_moves_nothing(void **state)
         expect_moved(vec3_zero(), move(&p, RIG_LEFT, out));
         const vec3 before = target_of(&p, RIG_RIGHT).position;
         set_aids(&p, VBSS_SESSION_AID_FOLLOW);
-        rest(&p, 200);
+        rest(&p, 120);
         expect_moved(before, target_of(&p, RIG_RIGHT).position);
         p.input[RIG_LEFT].position[0] += 0.05; /* a clutch */
         p.input[RIG_LEFT].is_origin = 1;
