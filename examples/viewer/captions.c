@@ -92,9 +92,8 @@ static void put_devices(playing *p)
 /* An assisted trial gets no score, whether its aids are on or off. */
 static void put_aids(playing *p)
 {
-    static const char *const names[] = {"needle's arc", "wind",
-                                        "snap roll",    "slow motion",
-                                        "no sinking",   "idle tool stays",
+    static const char *const names[] = {"needle's arc",     "wind",       "snap roll",
+                                        "slow motion",      "no sinking", "idle tool stays",
                                         "idle tool follows"};
     char line[200] = "assisted, no score:";
     size_t used = strlen(line);

@@ -87,23 +87,25 @@ static bool goes_opposite(const follow_step *f)
            holds_thread(s, 1 - limb);
 }
 
-/* Smallest tension of the thread beside a tool: a tied throw keeps some in the limbs beside the stitch. */
+/* Mean tension of the thread beside a tool: a tied throw keeps some in the limbs beside the stitch. */
 static double felt_tension(const follow_step *f, uint32_t hand)
 {
     const session_observation *o = f->observed;
     const vbss_thread *thread = vbss_scene_inspect_body(f->s->scene, o->thread).thread;
-    if (holds_needle(f->s, hand) || thread == NULL) {
-        return o->needle_pull;
+    if (thread == NULL) {
+        return 0.0;
     }
     const scene_thread_info t = vbss_scene_inspect_thread(thread);
-    double arc = 0.0, smallest = -1.0;
-    double end = o->tools[hand].held_arc >= 0.0 ? o->tools[hand].held_arc : t.length;
+    double held = o->tools[hand].held_arc >= 0.0 ? o->tools[hand].held_arc : t.length;
+    double end = holds_needle(f->s, hand) ? SESSION_PULL_SPAN : held;
+    double arc = 0.0, sum = 0.0, span = 0.0;
     for (uint32_t i = 0; i + 1 < t.node_count && arc < end; i++) {
-        bool is_smaller = smallest < 0.0 || t.tensions[i] < smallest;
-        smallest = arc > end - SESSION_PULL_SPAN && is_smaller ? t.tensions[i] : smallest;
+        double length = arc > end - SESSION_PULL_SPAN ? t.rest_lengths[i] : 0.0;
+        sum += length * t.tensions[i];
+        span += length;
         arc += t.rest_lengths[i];
     }
-    return vbss_max(smallest, 0.0);
+    return span > 0.0 ? vbss_max(sum / span, 0.0) : 0.0;
 }
 
 /* Of the movement: less for the end that bears more while both are pulled, until it gives way, and more while both give way. */
@@ -114,7 +116,8 @@ static double find_share(const follow_step *f, vec3 moved)
     double unlike = pulls ? other - own : own - other;
     unlike /=
         vbss_min(SESSION_FOLLOW_UNLIKE_SLACK + 0.3 * vbss_min(own, other), SESSION_FOLLOW_UNLIKE);
-    return vbss_min(vbss_max(1.0 + unlike, pulls ? -1.0 : 0.0), 2.0);
+    double limit = pulls && other < SESSION_FOLLOW_LIGHT ? 0.0 : 2.0; /* slack is taken up alone */
+    return vbss_min(vbss_max(1.0 + unlike, pulls ? -1.0 : 0.0), limit);
 }
 
 /* At the same height: the tail's tool is near the floor. */

@@ -77,8 +77,8 @@ void vbss_session_wind(session_object *s, session_aided_hand *hand, uint32_t num
     vec3 back = vec3_neg(quat_rotate(tool.pose.orientation, tool.forward));
     vec3 centre = vec3_add_scaled(tool.pose.position, SESSION_WIND_BEHIND, back);
     vec3 axis = vec3_scale(back, vbss_session_wanted_sign(s));
-    vec3 end =
-        vec3_add(hand->free.position, quat_rotate(hand->free.orientation, vbss_session_thread_end(s, number)));
+    vec3 end = vec3_add(hand->free.position,
+                        quat_rotate(hand->free.orientation, vbss_session_thread_end(s, number)));
     vec3 from = vec3_sub(end, centre);
     double aside = vec3_dot(from, axis), step = fabs(length);
     vec3 arm = vec3_add_scaled(from, -aside, axis);

@@ -360,18 +360,18 @@ static thread_point find_tail_hold(const session_object *s, const session_observ
 {
     const task_frame f = read_frame(s, observed);
     const double end = observed->thread_length, radius = observed->drain_radius;
-    const double most = SESSION_TAIL_HOLD_MOST * s->config.tail_reach;
+    const double limit = SESSION_TAIL_HOLD_MAX * s->config.tail_reach;
     const thread_point p = point_on_thread(s, observed, end - SESSION_TAIL_HOLD);
     thread_point q = p;
     double hold = SESSION_TAIL_HOLD;
     if (!is_under_drain(&f, p.position, radius)) {
         return p;
     }
-    while (hold < most && is_under_drain(&f, q.position, radius + SESSION_TAIL_CLEAR)) {
+    while (hold < limit && is_under_drain(&f, q.position, radius + SESSION_TAIL_CLEAR)) {
         hold += SESSION_TAIL_HOLD_STEP;
         q = point_on_thread(s, observed, end - hold);
     }
-    return hold < most ? q : p;
+    return hold < limit ? q : p;
 }
 
 static void describe_tail(const session_object *s, const session_observation *observed,
@@ -422,7 +422,8 @@ bool vbss_session_pulls_from_behind(const session_object *s, const session_obser
         return false;
     }
     double stronger = vbss_max(observed->tension[0], observed->tension[1]);
-    bool hangs_loose = (s->coach.open & 1ull << VBSS_SESSION_MISTAKE_SLACK) != 0;
+    bool hangs_loose = (s->coach.open & 1ull << VBSS_SESSION_MISTAKE_SLACK) != 0 &&
+                       s->time - s->coach.begun[VBSS_SESSION_MISTAKE_SLACK] > SESSION_LOOSE_TIME;
     bool is_open = observed->signed_gap > SESSION_OPEN_RATIO * s->config.seat_gap;
     return vbss_session_are_crossed(s, observed, loop) ? is_open || stronger >= s->config.seat_force
                                                        : is_open && hangs_loose;

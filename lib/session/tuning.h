@@ -61,7 +61,7 @@
 /* If the drain lies over that place, the next one is so much nearer to the stitch, up to this share of tail_reach. Jaws need so much room
  * beside the drain. Unit: m; 1; m. Origin: chosen; for the jaws, half their width. Test: session.coach_goals. */
 #define SESSION_TAIL_HOLD_STEP VBSS_TUNE(SESSION_TAIL_HOLD_STEP, 1e-3)
-#define SESSION_TAIL_HOLD_MOST VBSS_TUNE(SESSION_TAIL_HOLD_MOST, 0.9)
+#define SESSION_TAIL_HOLD_MAX VBSS_TUNE(SESSION_TAIL_HOLD_MAX, 0.9)
 #define SESSION_TAIL_CLEAR VBSS_TUNE(SESSION_TAIL_CLEAR, 2e-3)
 /* Distance from the hole at which a tail that is too short is taken.
  * Unit: m. Origin: chosen: jaws clear of the wall. Test: session.coach_goals. */
@@ -120,6 +120,9 @@
 /* A throw over a slit that is wider than that is pulled from behind.
  * Unit: 1, relative to seat_gap. Origin: fitted, to the scripted mouse; the default of seat_release, 1 mm. Test: session.coach_goals. */
 #define SESSION_OPEN_RATIO VBSS_TUNE(SESSION_OPEN_RATIO, 2.0)
+/* A throw has hung loose for so long, since the coach says so: one hand after the other takes up slack in less.
+ * Unit: s. Origin: chosen. Test: session.coach_goals. */
+#define SESSION_LOOSE_TIME VBSS_TUNE(SESSION_LOOSE_TIME, 15.0)
 /* Length of a tail that is cut. Unit: m. Origin: published range 3 to 5 mm, not verified. Test: none known. */
 #define SESSION_CUT_LENGTH VBSS_TUNE(SESSION_CUT_LENGTH, 4e-3)
 /* Deviation from a mark that is a mistake.

@@ -17,7 +17,7 @@ vbss_result trainee_begin_task(trainee *t, uint64_t seed, const char *log)
 
 typedef struct saved_head {
     uint64_t random, shades, steps, scene_bytes, session_bytes;
-    uint32_t aids, helps; /* helps: 1, is_wound: 2, has_pulled: 4, is_crossed: 8 */
+    uint32_t aids, helps; /* helps: 1, is_wound: 2, has_pulled: 4, is_crossed: 8, is_later: 16 */
     double home;
     vec entry, slit;
 } saved_head;
@@ -45,7 +45,7 @@ void trainee_save(trainee *t)
     head.steps = t->live.steps;
     head.aids = t->live.aids;
     head.helps = (t->helps ? 1u : 0u) | (t->is_wound ? 2u : 0u) | (t->has_pulled ? 4u : 0u) |
-                 (t->is_crossed ? 8u : 0u);
+                 (t->is_crossed ? 8u : 0u) | (t->is_later ? 16u : 0u);
     head.home = t->home;
     head.entry = t->entry;
     head.slit = t->slit;
@@ -94,6 +94,7 @@ static vbss_result restore(trainee *t, FILE *file, uint8_t *bytes, const saved_h
     t->is_wound = (head->helps & 2u) != 0;
     t->has_pulled = (head->helps & 4u) != 0;
     t->is_crossed = (head->helps & 8u) != 0;
+    t->is_later = (head->helps & 16u) != 0;
     t->home = head->home;
     t->entry = head->entry;
     t->slit = head->slit;

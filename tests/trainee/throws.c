@@ -6,32 +6,31 @@
 
 #define BESIDE \
     32e-3 /* m, of the needle from the tool that it is to be wound about: on the near side, */
-#define BELOW 12e-3   /* and lower */
-#define BEHIND 10e-3  /* behind that tool's tip */
-#define ABOVE 15e-3   /* over the tail */
-#define TOGETHER 8e-3 /* of one hand before the other follows */
-#define RISING 0.4    /* of the needle over the jaws, of its distance from them, at least */
-#define NEAREST 15e-3
-#define SWEPT 12e-3  /* of the tail from where it was seen, */
-#define OVER 20e-3   /* then the jaws go as high */
-#define GIVEN 15e-3  /* before the last part of it */
-#define SPARE 3e-3   /* of the limb on that path */
-#define MISSED 25e-3 /* of the jaws from a tail that they have closed beside, at most */
+#define BELOW 12e-3    /* and lower */
+#define BEHIND 10e-3   /* behind that tool's tip */
+#define ABOVE 15e-3    /* over the tail */
+#define TOGETHER 16e-3 /* of the jaws at a time, while the needle goes along */
+#define SWEPT 12e-3    /* of the tail from where it was seen, */
+#define OVER 20e-3     /* then the jaws go as high */
+#define MISSED 25e-3   /* of the jaws from a tail that they have closed beside, at most */
 #define STRIDE \
     30e-3 /* of the mouse when it winds: a longer one pulls on with a limb that has become taut */
-#define WAITS 130      /* frames, when turns have come off */
-#define DRAWN 3e-3     /* of the tail at a time */
-#define SHORTER 1e-3   /* of its jaws to the slit, in each movement, */
-#define SHORT 0.75     /* down to this share: a tail that is taut drags the drain along */
-#define TAKEN_UP 6e-3  /* of the limb at a time */
-#define LIGHT 0.1      /* N, of the limb then */
-#define TAUT 1.5e-3    /* of the limb at a time while both ends are taut, */
-#define SLACK 6e-3     /* and while one is slack: it misses */
-#define SLACKER 0.88   /* more of the force */
+#define WAITS 130       /* frames, when turns have come off */
+#define DRAWN 3e-3      /* of the tail at a time */
+#define LIMB_DRAWN 5e-3 /* of the limb */
+#define SHORTER 1e-3    /* of its jaws to the slit, in each movement, */
+#define SHORT 0.75      /* down to this share: a tail that is taut drags the drain along */
+#define SHORT_THIRD 0.9
+#define TAKEN_UP 6e-3   /* of the limb at a time in the first throw */
+#define LIGHT 0.1       /* N, of the limb then */
+#define TAUT 0.8e-3     /* of each hand at a time while both ends are taut, */
+#define SLACK 5e-3      /* and while one is slack: it misses */
+#define VERY_SLACK 0.04 /* N */
+#define HALF_SLACK 2e-3
+#define SLACKER 0.75   /* more of the force */
 #define FAR 0.15       /* from the slit, to where the hands pull */
-#define LOW 20e-3      /* of the tail below the slit, 70 mm from it */
-#define ENOUGH 1.2     /* N, of both ends: pulled harder, the slit opens again */
-#define GENTLE 0.8e-3  /* of each hand at a time in the end */
+#define ENOUGH 1.0     /* N, of both ends: pulled harder, the slit opens again */
+#define GENTLE 0.4e-3  /* of each hand at a time in the end */
 #define SLACKENED 1e-3 /* of each hand at a time before the tail is let go, */
 #define LOCKED 0.6     /* N, of both ends then: so much the stitch itself may hold */
 #define LOOSE 0.1      /* N, of an end that does not pull */
@@ -40,13 +39,18 @@
 #define OFF 1.5e-3     /* of the slit from its place */
 #define LARGEST 1.5    /* N, of both ends: pulled harder, the edges slip past each other */
 #define FIRM 0.5       /* N, of both ends: gently from there */
-#define HARD 1.0       /* N, of an end */
-#define HARD_LATER 0.3 /* of a later throw */
-#define UNLIKE 1.5     /* times the other end's tension */
-#define CLEAR 18e-3    /* of the tips from each other */
+#define CLOSING 2e-3   /* of the limb at a time before both ends are pulled */
+#define CLOSED 0.22    /* N, of an end then: from there both are pulled */
+#define RAISED \
+    1.22 /* rad, of the tail of a later throw on its path from its own side: it stays there */
+#define TILT 1.2 /* rad, of that path from upright to the near side */
+#define MIN_HEIGHT 5e-3
+#define NEARLY 1e-3 /* of a tail that was taut, so much shorter: it is straight and slack */
+#define FELT 0.04   /* N, of a tail that becomes straight */
 #define HALF_TURN 3.14159265358979
 
 enum {
+    LOOSENED = 5, /* of the hands toward the slit when nothing pulls */
     PARTS = 16,
     AGAIN = 5
 }; /* of slackening, before the tail is let go, and before a further pull */
@@ -77,28 +81,18 @@ static double side_of(int side)
     return side == LEFT ? -1.0 : 1.0;
 }
 
-/* The jaws with the turns go, and after each part the needle, so that the limb stays as long from slit to jaws to needle: a slack turn
- * falls off. */
+/* The jaws with the turns go, and the needle goes along: a slack turn falls off. */
 static bool go_together(trainee *t, int loop, vec by)
 {
-    const int limb = 1 - loop, parts = (int)ceil(v_length(by) / TOGETHER);
-    vec jaws = trainee_see(t)->tip[loop], arm = v_sub(trainee_see(t)->swage, jaws);
-    const double whole = v_distance(jaws, t->slit) + v_length(arm) - SPARE;
-    arm.z = fmax(arm.z, RISING * v_length(arm)); /* not into the drain */
-    arm = v_unit(arm);
-    for (int i = 0; i < parts; i++) {
-        if (!trainee_move(t, loop, v_scale(1.0 / parts, by))) {
-            return false;
-        }
-        jaws = trainee_see(t)->tip[loop];
-        double far = fmax(whole - v_distance(jaws, t->slit), NEAREST);
-        vec to = v_sub(v_along(jaws, far, arm), trainee_see(t)->swage);
-        if (!trainee_move(t, limb, to)) {
-            return false;
-        }
+    const int parts = (int)ceil(v_length(by) / TOGETHER);
+    const vec from = trainee_see(t)->tip[loop];
+    bool good = trainee_follow(t, true);
+    for (int i = 1; i <= parts && good; i++) {
+        vec to = v_along(from, (double)i / parts, by);
+        good = trainee_move(t, loop, v_sub(to, trainee_see(t)->tip[loop]));
         trainee_say(t, "together");
     }
-    return true;
+    return good;
 }
 
 /* Under the place of the other tool, on the near side. */
@@ -160,19 +154,6 @@ static vec toward_tail(const trainee *t, int loop)
     return v_unit(v_add(v_scale(0.6, out), v3(0.0, 0.0, -0.8)));
 }
 
-/* Something is tied already. */
-static bool is_later(const trainee *t)
-{
-    return trainee_see(t)->coach.number > 0;
-}
-
-/* The needle comes nearer, so that the jaws can go on to the tail alone: the limb would be pulled, and the slit opens. */
-static bool bring_needle(trainee *t, int loop)
-{
-    vec to = v_sub(trainee_see(t)->tip[loop], trainee_see(t)->swage);
-    return trainee_move(t, 1 - loop, v_scale(GIVEN, v_unit(to)));
-}
-
 /* The limb sweeps a tail along; jaws go after it over the drain, not through it. */
 static bool go_after_tail(trainee *t, int loop, vec down)
 {
@@ -194,8 +175,7 @@ static bool go_over_tail(trainee *t, int loop)
     bool goes_together = t->is_wound && v_length(by) > MISSED;
     bool good = goes_together ? go_together(t, loop, by) && go_after_tail(t, loop, down)
                               : trainee_go(t, loop, above, 3e-3);
-    return good && (!goes_together || !is_later(t) || bring_needle(t, loop)) &&
-           trainee_turn(t, loop, toward_tail(t, loop)) && trainee_jaws(t, loop, false) &&
+    return good && trainee_turn(t, loop, toward_tail(t, loop)) && trainee_jaws(t, loop, false) &&
            trainee_roll_across(t, loop, v_load(trainee_see(t)->coach.direction));
 }
 
@@ -209,8 +189,10 @@ static bool take_tail(trainee *t, int loop)
 {
     for (int i = 0; i < 5 && is_goal(t, VBSS_SESSION_GOAL_TAKE_TAIL); i++) {
         /* A further try stays near the tail: the limb is snug, and would be pulled. */
-        bool good = (i > 0 || go_over_tail(t, loop)) && go_along_jaws(t, loop, -6e-3, 1e-3) &&
-                    go_along_jaws(t, loop, 2e-3, 0.6e-3) && trainee_jaws(t, loop, true);
+        bool good = (i > 0 ? trainee_roll_across(t, loop, v_load(trainee_see(t)->coach.direction))
+                           : go_over_tail(t, loop)) &&
+                    go_along_jaws(t, loop, -6e-3, 1e-3) && go_along_jaws(t, loop, 2e-3, 0.6e-3) &&
+                    trainee_jaws(t, loop, true);
         trainee_say(t, "closed on the tail");
         if (!good || trainee_see(t)->holds[loop] || !is_goal(t, VBSS_SESSION_GOAL_TAKE_TAIL)) {
             return good;
@@ -220,6 +202,41 @@ static bool take_tail(trainee *t, int loop)
         }
     }
     return true;
+}
+
+/* Where an end is pulled, from the slit: on its own side, or on the other one if the hands have changed sides. Of a later throw also at 45
+ * degrees, so that the ends do not go back over the throw below: the tail toward the near side, the limb to the far one. */
+static vec pull_direction(const trainee *t, int loop, bool is_tail)
+{
+    double side = (t->is_crossed ? -1.0 : 1.0) * (is_tail ? 1.0 : -1.0);
+    bool is_askew = t->is_later && !t->is_crossed;
+    vec to = is_tail ? v3(side * side_of(loop), is_askew ? -1.0 : 0.0, -0.2)
+                     : v3(side * side_of(loop), is_askew ? 1.0 : 0.0, 0.05);
+    return v_unit(to);
+}
+
+static vec pull_from(const trainee *t, int loop, bool is_tail)
+{
+    vec to = v_along(t->slit, FAR, pull_direction(t, loop, is_tail));
+    return v_unit(v_sub(to, trainee_see(t)->tip[is_tail ? loop : 1 - loop]));
+}
+
+/* The needle's hand alone goes outward, so that the turn comes off the jaws and runs down to the throw below. */
+static bool draw_limb(trainee *t, int loop, double by)
+{
+    bool good = trainee_follow(t, false) &&
+                trainee_move(t, 1 - loop, v_scale(by, pull_from(t, loop, false)));
+    trainee_say(t, "drawn by the limb");
+    return good;
+}
+
+/* The place of the tail's jaws on their path about the slit, 0: on their own side. That of a later throw leads over the near side. */
+static vec tail_place(const trainee *t, int loop, double radius, double angle)
+{
+    double tilt = t->is_later && angle > 0.0 ? TILT : 0.0, up = radius * sin(angle);
+    vec from = v3(side_of(loop) * radius * cos(angle), -up * sin(tilt), up * cos(tilt));
+    from.z = tilt > 0.0 ? fmax(from.z, MIN_HEIGHT) : from.z;
+    return v_add(t->slit, from);
 }
 
 /* The limb's hand goes outward, until it feels the thread: that draws the last turn off the jaws. */
@@ -234,28 +251,22 @@ static bool take_up(trainee *t, int loop, vec slit)
 
 /* The limb is slack over the slit, and the tail goes over it to its own side; past
  * the slit the jaws point inward. */
-static bool draw_tail(trainee *t, int loop)
+static bool draw_first_tail(trainee *t, int loop)
 {
     double side = side_of(loop);
     bool turned = false;
-    /* Taking up the limb, or shortening the tail, would open the throw below. */
-    const bool later = is_later(t);
     vec slit = point_of(t);
-    vec over =
-        v_add(slit, later ? v3(-15e-3 * side, 10e-3, 30e-3) : v3(-28e-3 * side, 15e-3, 30e-3));
-    if (later && v_distance(over, trainee_see(t)->tip[loop]) < CLEAR) {
-        over.y = slit.y - 15e-3; /* there the other hand has a tail that stands up */
-    }
+    const vec over = v_add(slit, v3(-28e-3 * side, 15e-3, 30e-3));
     vec beside = trainee_see(t)->tip[1 - loop];
     beside.z = fmax(beside.z, over.z); /* the needle comes over the drain, not through it */
-    if (!trainee_go(t, 1 - loop, beside, 5e-3) || !trainee_go(t, 1 - loop, over, 5e-3)) {
+    if (!trainee_follow(t, false) || !trainee_go(t, 1 - loop, beside, 5e-3) ||
+        !trainee_go(t, 1 - loop, over, 5e-3)) {
         return false;
     }
     vec arm = v_sub(trainee_see(t)->tip[loop], slit);
     double radius = sqrt(arm.x * arm.x + arm.z * arm.z), angle = atan2(arm.z, side * arm.x);
     angle += angle < -0.5 * HALF_TURN ? 2.0 * HALF_TURN : 0.0;
     double full = radius;
-    const bool is_beside = angle < 0.25 * HALF_TURN; /* the tail is on its own side already */
     t->slit = slit;
     t->has_pulled = t->is_crossed = false;
     for (int i = 0; i < 60 && is_goal(t, VBSS_SESSION_GOAL_DRAW_TAIL); i++) {
@@ -263,16 +274,13 @@ static bool draw_tail(trainee *t, int loop)
             turned =
                 trainee_turn(t, loop, v3(-side, 0.0, 0.0)); /* or the last turn hangs on them */
         }
-        if ((!later || is_beside) && angle <= 0.0 && trainee_see(t)->tension[1] < LIGHT &&
-            (is_beside || i % 2 == 0)) {
+        if (angle <= 0.0 && trainee_see(t)->tension[1] < LIGHT && i % 2 == 0) {
             if (!take_up(t, loop, slit)) {
                 return false;
             }
             continue;
         }
-        radius = angle <= 0.0 ? radius + DRAWN
-                 : later      ? radius
-                              : fmax(radius - SHORTER, SHORT * full);
+        radius = angle <= 0.0 ? radius + DRAWN : fmax(radius - SHORTER, SHORT * full);
         angle -= angle > 0.0 ? DRAWN / radius : 0.0;
         vec to = v_add(slit, v3(side * radius * cos(angle), 0.0, radius * sin(angle)));
         vec by = v_sub(to, trainee_see(t)->tip[loop]);
@@ -284,47 +292,76 @@ static bool draw_tail(trainee *t, int loop)
     return true;
 }
 
-/* Which hand rests: that of the end that bears much more, as its colour shows, or the one to whose side the slit has gone. */
-typedef struct pull_plan {
-    bool limb_rests, tail_rests;
-} pull_plan;
-
-static pull_plan choose_pull(const trainee *t, double off)
+/* The tail goes over the slit to its own side, and the needle goes along; past the slit the jaws point inward. The tail of a later throw
+ * stays up: laid over the throw below, it would open that one. */
+static bool draw_later_tail(trainee *t, int loop)
 {
-    const double *n = trainee_see(t)->tension;
-    /* A throw on another one locks under an end that pulls alone. */
-    const double hard = is_later(t) ? HARD_LATER : HARD;
-    bool limb = n[1] > hard && n[1] > UNLIKE * n[0], tail = n[0] > hard && n[0] > UNLIKE * n[1];
-    /* An end that is slack has not drawn the slit along. */
-    return limb || tail ? (pull_plan){limb, tail}
-                        : (pull_plan){off < -OFF && n[1] > LOOSE, off > OFF && n[0] > LOOSE};
+    double side = side_of(loop);
+    bool turned = false;
+    vec slit = point_of(t);
+    vec arm = v_sub(trainee_see(t)->tip[loop], slit);
+    double radius = v_length(arm), angle = atan2(arm.z, side * arm.x);
+    angle += angle < -0.5 * HALF_TURN ? 2.0 * HALF_TURN : 0.0;
+    const double shortest = (trainee_see(t)->coach.number > 1 ? SHORT_THIRD : SHORT) * radius;
+    t->slit = slit;
+    t->has_pulled = t->is_crossed = false;
+    if (!trainee_follow(t, true)) {
+        return false;
+    }
+    for (int i = 0; i < 60 && is_goal(t, VBSS_SESSION_GOAL_DRAW_TAIL); i++) {
+        if (!turned && angle < 0.5 * HALF_TURN) {
+            turned =
+                trainee_turn(t, loop, v3(-side, 0.0, 0.0)); /* or the last turn hangs on them */
+        }
+        if (angle <= RAISED) {
+            if (!draw_limb(t, loop, LIMB_DRAWN)) {
+                return false;
+            }
+            continue;
+        }
+        radius = angle <= 0.0 ? radius + DRAWN : fmax(radius - SHORTER, shortest);
+        angle -= angle > 0.0 ? DRAWN / radius : 0.0;
+        vec by = v_sub(tail_place(t, loop, radius, angle), trainee_see(t)->tip[loop]);
+        if (!trainee_move(t, loop, weaker(t) > HANGS ? v_limit(by, NUDGED) : by)) {
+            return false;
+        }
+        trainee_say(t, "drawn");
+    }
+    return true;
 }
 
-/* One hand after the other pulls, the tail half as far. */
-static bool pull_once(trainee *t, int loop, vec slit, pull_plan p, double step)
+static bool draw_tail(trainee *t, int loop)
 {
-    double side = t->is_crossed ? -side_of(loop) : side_of(loop);
-    vec limb = v_add(slit, v3(-side * FAR, 0.0, 7e-3)),
-        tail = v_add(slit, v3(side * FAR, 0.0, -LOW * FAR / 70e-3));
-    limb = v_scale(step, v_unit(v_sub(limb, trainee_see(t)->tip[1 - loop])));
-    tail = v_scale(0.5 * step, v_unit(v_sub(tail, trainee_see(t)->tip[loop])));
-    bool good = (p.limb_rests || trainee_move(t, 1 - loop, limb)) &&
-                (p.tail_rests || trainee_move(t, loop, tail));
-    trainee_say(t, p.tail_rests ? "pulled the limb" : p.limb_rests ? "pulled the tail" : "pulled");
+    return t->is_later ? draw_later_tail(t, loop) : draw_first_tail(t, loop);
+}
+
+/* The hand of the end that bears less pulls, and the other one follows. A slit that has gone to the side of one hand is drawn back by the
+ * other hand alone. */
+static bool pull_once(trainee *t, int loop, double off, double step)
+{
+    const double *n = trainee_see(t)->tension;
+    bool is_off = fabs(off) > OFF && weaker(t) > LOOSE;
+    bool pulls_tail = is_off ? off < 0.0 : n[0] < n[1];
+    int which = pulls_tail ? loop : 1 - loop;
+    bool good = trainee_follow(t, !is_off) &&
+                trainee_move(t, which, v_scale(step, pull_from(t, loop, pulls_tail)));
+    trainee_say(t, pulls_tail ? "pulled by the tail" : "pulled by the limb");
     return good;
 }
 
-/* Both hands toward the slit in small equal parts, in turns, and a little more when nothing pulls. A part of the tension is that of the
- * stitch itself, so it need not end. */
+/* Both hands toward the slit, and more when nothing pulls. A part of the tension is that of the stitch itself, so it need not
+ * end. */
 static bool slacken(trainee *t, int loop, int parts)
 {
-    for (int i = 0, more = 2; i < parts && more > 0; i++) {
-        for (int k = 0; k < 2; k++) {
-            int which = k == 0 ? 1 - loop : loop;
-            vec toward = v_unit(v_sub(t->slit, trainee_see(t)->tip[which]));
-            if (!trainee_move(t, which, v_scale(SLACKENED, toward))) {
-                return false;
-            }
+    if (parts > 0 && !trainee_follow(t, true)) {
+        return false;
+    }
+    for (int i = 0, more = t->is_later ? LOOSENED : 2; i < parts && more > 0; i++) {
+        const double *n = trainee_see(t)->tension;
+        int which = n[0] > n[1] ? loop : 1 - loop;
+        vec toward = v_unit(v_sub(t->slit, trainee_see(t)->tip[which]));
+        if (!trainee_move(t, which, v_scale(SLACKENED, toward))) {
+            return false;
         }
         more -= stronger(t) < LOCKED ? 1 : 0;
         trainee_say(t, "slackened");
@@ -332,22 +369,36 @@ static bool slacken(trainee *t, int loop, int parts)
     return true;
 }
 
+/* The turn of a later throw is drawn round the tail, before both ends are pulled. */
+static bool close_turn(trainee *t, int loop)
+{
+    for (int i = 0; i < 20 && stronger(t) < CLOSED; i++) {
+        if (!draw_limb(t, loop, CLOSING)) {
+            return false;
+        }
+    }
+    return true;
+}
+
 static bool seat(trainee *t, int loop, double home)
 {
+    const bool is_open = t->is_later && !t->has_pulled && !t->is_crossed;
     t->has_pulled = true;
     t->is_wound = false;
+    if (is_open && !close_turn(t, loop)) {
+        return false;
+    }
     for (int i = 0; i < 60 && is_goal(t, VBSS_SESSION_GOAL_SEAT); i++) {
         const vbss_session_coaching c = trainee_see(t)->coach;
         vec slit = v_load(c.point);
         t->slit = slit;
         if (!t->is_crossed && c.direction[0] * side_of(loop) < 0.0) {
-            if (!lesson_cross_hands(t, loop)) {
+            if (!trainee_follow(t, false) || !lesson_cross_hands(t, loop)) {
                 return false;
             }
             continue;
         }
         double off = (t->is_crossed ? -side_of(loop) : side_of(loop)) * (slit.x - home);
-        pull_plan p = choose_pull(t, c.force > 0.0 ? off : 0.0);
         if (c.length > 0.0 && weaker(t) > LARGEST) {
             if (!slacken(t, loop,
                          AGAIN)) { /* harder, the slit opens again: once more from little */
@@ -355,11 +406,37 @@ static bool seat(trainee *t, int loop, double home)
             }
             continue;
         }
-        double step = c.force > SLACKER * c.pull_force ? SLACK : weaker(t) > FIRM ? GENTLE : TAUT;
-        if (!pull_once(t, loop, slit, p, step)) {
+        double step = weaker(t) < VERY_SLACK             ? SLACK
+                      : c.force > SLACKER * c.pull_force ? HALF_SLACK
+                      : weaker(t) > FIRM                 ? GENTLE
+                                                         : TAUT;
+        if (!pull_once(t, loop, c.force > 0.0 ? off : 0.0, step)) {
             return false;
         }
     }
+    return true;
+}
+
+/* The slack tail becomes straight: a bent one whips out when it is let go, and opens the throw. It is drawn until it bears a little more. */
+static bool straighten(trainee *t, int loop, double length)
+{
+    const double at_rest = trainee_see(t)->tension[0];
+    if (!trainee_follow(t, false)) {
+        return false;
+    }
+    for (int i = 0; i < PARTS; i++) {
+        vec arm = v_sub(trainee_see(t)->tip[loop], t->slit);
+        double missing = length - v_length(arm);
+        bool is_straight = trainee_see(t)->tension[0] > 1.5 * at_rest + FELT || missing < 0.0;
+        double by = is_straight ? -0.5 * SLACKENED : fmin(SLACKENED, missing);
+        if (!trainee_move(t, loop, v_scale(by, v_unit(arm)))) {
+            return false;
+        }
+        if (is_straight) {
+            break;
+        }
+    }
+    trainee_say(t, "straightened");
     return true;
 }
 
@@ -368,12 +445,16 @@ static bool seat(trainee *t, int loop, double home)
 bool lesson_release_tail(trainee *t, int loop)
 {
     for (int i = 0; i < 4 && t->has_pulled && weaker(t) < ENOUGH; i++) {
-        if (!pull_once(t, loop, t->slit, choose_pull(t, 0.0), GENTLE)) {
+        if (!pull_once(t, loop, 0.0, GENTLE)) {
             return false;
         }
     }
+    double far = v_distance(trainee_see(t)->tip[loop], t->slit);
     bool good = slacken(t, loop, t->has_pulled || stronger(t) > LOOSE ? PARTS : 0);
-    return is_goal(t, VBSS_SESSION_GOAL_RELEASE_TAIL) ? good && lesson_leave(t, loop) : good;
+    good = good && (!t->has_pulled || straighten(t, loop, far - NEARLY));
+    return is_goal(t, VBSS_SESSION_GOAL_RELEASE_TAIL)
+               ? good && trainee_follow(t, false) && lesson_leave(t, loop)
+               : good;
 }
 
 bool lesson_throw_part(trainee *t)
@@ -381,8 +462,9 @@ bool lesson_throw_part(trainee *t)
     const vbss_session_coaching *c = &trainee_see(t)->coach;
     int actor = c->tool == VBSS_METRICS_TOOL_LEFT ? LEFT : RIGHT;
     trainee_say(t, "throw");
+    t->is_later = c->number > 0; /* something is tied already */
     if (is_goal(t, VBSS_SESSION_GOAL_WIND)) {
-        return take_places(t, actor) && wind(t, actor);
+        return trainee_follow(t, false) && take_places(t, actor) && wind(t, actor);
     }
     if (is_goal(t, VBSS_SESSION_GOAL_TAKE_TAIL)) {
         return take_tail(t, actor);

@@ -309,6 +309,12 @@ bool trainee_aid(trainee *t, uint32_t aid)
     return live_toggle_aid(&t->live, aid) == VBSS_OK && trainee_wait(t, 10);
 }
 
+bool trainee_follow(trainee *t, bool follows)
+{
+    bool does = (t->live.aids & (uint32_t)VBSS_SESSION_AID_FOLLOW) != 0;
+    return does == follows || trainee_aid(t, VBSS_SESSION_AID_FOLLOW);
+}
+
 bool trainee_exchange(trainee *t, int side)
 {
     (void)live_exchange(&t->live, side);

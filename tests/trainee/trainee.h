@@ -33,6 +33,7 @@ typedef struct trainee {
     vec entry;       /* m: the first mark before it was pierced */
     double warned;   /* s: when the coach last said that turns had come off */
     bool is_wound;   /* turns are on the jaws */
+    bool is_later;   /* the present throw is not the first */
     bool is_crossed; /* the hands, about the slit */
     bool has_pulled; /* the present throw tight */
     bool helps;      /* a closed tool supports the wall at the first mark */
@@ -68,6 +69,8 @@ bool trainee_turn_well(trainee *t, int side, vec to);
 bool trainee_roll_across(trainee *t, int side, vec direction);
 bool trainee_jaws(trainee *t, int side, bool closes);
 bool trainee_aid(trainee *t, uint32_t aid);
+/* Whether the tool that is not moved follows, in throws. */
+bool trainee_follow(trainee *t, bool follows);
 bool trainee_exchange(trainee *t, int side);
 /* Prints what it does and sees, if it shall. */
 void trainee_say(trainee *t, const char *what);

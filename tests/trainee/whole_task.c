@@ -32,9 +32,24 @@ static bool hand_over(trainee *t, int side)
     return good && lesson_take(t, side, lean_of(t, side));
 }
 
+/* The slit has opened while the shears were taken: they would cut the tail that the coach asks for. The coach does not say that. */
+static bool put_shears_back(trainee *t, int side)
+{
+    vbss_session_goal goal = trainee_see(t)->coach.goal;
+    if (!trainee_see(t)->shears[side] || goal == VBSS_SESSION_GOAL_TAKE_SHEARS ||
+        goal == VBSS_SESSION_GOAL_CUT) {
+        return true;
+    }
+    trainee_say(t, "no shears");
+    return lesson_park(t, side) && trainee_jaws(t, side, true) && trainee_exchange(t, side);
+}
+
 /* False: the task has ended. */
 static bool follow(trainee *t, int side)
 {
+    if (!put_shears_back(t, side)) {
+        return false;
+    }
     switch (trainee_see(t)->coach.goal) {
     case VBSS_SESSION_GOAL_TAKE_NEEDLE:
         return lesson_take(t, side, 0.0);
