@@ -8,13 +8,18 @@
 #define THREAD_IN_BLADES 2.5e-3
 #define TAIL_IN_BLADES 1.2e-3
 #define DEEPER 0.8e-3     /* m, at each further try */
+#define FARTHER 2e-3      /* m, from the knot, at each try after those */
 #define BESIDE 1.5e-3     /* m, along the thread: so far off is good enough */
 #define UPRIGHT 0.6       /* rise of the needle's thread where it is cut, for each metre of it */
 #define STEEP 0.3         /* fall of blades, at least, of their level length */
 #define LIFT_TENSION 0.15 /* N */
 #define LIFTED 3e-3       /* m at a time: a thread that is lifted too far opens the slit */
 
-enum { LIFTS = 10 }; /* of the needle's thread, in all */
+enum {
+    LIFTS = 10, /* of the needle's thread, in all */
+    TRIES =
+        5 /* at the point of the coach: there the thread may lie so close to the drain that blades push both away */
+};
 
 /* Where the blades point so that they lie across the thread: else the knot is between them, too. From level blades the shaft would come to
  * the floor. */
@@ -55,12 +60,20 @@ static bool lift_thread(trainee *t, int side, int *lifts)
     return good;
 }
 
-/* One try at the point of the coach; false: the exercise has ended. */
-static bool try_cut(trainee *t, int side, double depth, int *lifts)
+/* The point of the coach, or one that much farther from the slit. */
+static vec place_of_cut(const trainee *t, double farther)
+{
+    vec at = v_load(trainee_see(t)->coach.point), along = v_load(trainee_see(t)->coach.direction);
+    double outward = v_dot(along, v_sub(at, t->slit)) > 0.0 ? 1.0 : -1.0;
+    return v_along(at, outward * farther, along);
+}
+
+/* One try; false: the exercise has ended. */
+static bool try_cut(trainee *t, int side, double depth, double farther, int *lifts)
 {
     bool good = lift_thread(t, side, lifts);
     const sight now = *trainee_see(t), *s = &now;
-    vec at = v_load(s->coach.point), thread = v_load(s->coach.direction);
+    vec at = place_of_cut(t, farther), thread = v_load(s->coach.direction);
     good = good && trainee_jaws(t, side, false) &&
            trainee_go(t, side, v_along(at, -2.0 * ABOVE, s->jaws[side]), 2e-3) &&
            trainee_turn(t, side, across_thread(trainee_see(t)->jaws[side], thread));
@@ -68,9 +81,9 @@ static bool try_cut(trainee *t, int side, double depth, int *lifts)
     good = good && trainee_go(t, side, v_along(at, -2.0 * ABOVE, along), 2e-3) &&
            trainee_roll_across(t, side, thread) &&
            trainee_go(t, side, v_along(at, -ABOVE, along), 1e-3);
-    at = v_load(trainee_see(t)->coach.point);
+    at = place_of_cut(t, farther);
     return good && trainee_go(t, side, v_along(at, depth, along), 0.6e-3) &&
-           slide_along_thread(t, side) &&
+           (farther > 0.0 || slide_along_thread(t, side)) &&
            (trainee_see(t)->coach.goal != VBSS_SESSION_GOAL_CUT || trainee_jaws(t, side, true));
 }
 
@@ -79,7 +92,7 @@ void lesson_cut(trainee *t)
 {
     uint32_t limb = UINT32_MAX;
     double depth = 0.0;
-    int lifts = 0;
+    int lifts = 0, tries = 0;
     bool good = trainee_finish_motion(t);
     for (int i = 0; i < 30 && good; i++) {
         const sight now = *trainee_see(t), *s = &now;
@@ -90,11 +103,12 @@ void lesson_cut(trainee *t)
                    trainee_go(t, side, v3(side == LEFT ? -0.06 : 0.06, -0.01, 0.06), 5e-3) &&
                    trainee_jaws(t, side, true) && trainee_exchange(t, side);
         } else if (s->coach.goal == VBSS_SESSION_GOAL_CUT) {
-            depth = s->coach.number == limb ? depth + DEEPER
-                    : s->coach.number == 0  ? TAIL_IN_BLADES
-                                            : THREAD_IN_BLADES;
+            const double first = s->coach.number == 0 ? TAIL_IN_BLADES : THREAD_IN_BLADES;
+            const bool is_repeated = s->coach.number == limb;
+            tries = is_repeated ? tries + 1 : 0;
+            depth = is_repeated && tries < TRIES ? depth + DEEPER : first;
             limb = s->coach.number;
-            good = try_cut(t, side, depth, &lifts);
+            good = try_cut(t, side, depth, FARTHER * fmax(tries - TRIES + 1, 0), &lifts);
         } else if (s->coach.goal == VBSS_SESSION_GOAL_RELEASE_TAIL) {
             good = lesson_release_tail(t, side);
         } else if (s->coach.goal == VBSS_SESSION_GOAL_SEAT ||

@@ -4,6 +4,8 @@
 
 #define ABOVE 12e-3 /* m, above the thing to take */
 
+enum { PUSHES = 15 }; /* through a wall that another tool supports already */
+
 /* The coach gives the place; how the jaws have to be rolled he does not say, so they are tried. */
 void lesson_take_needle(trainee *t)
 {
@@ -66,10 +68,10 @@ bool lesson_turn_square(trainee *t)
 
 /* Straight through the wall, as the coach says, and back to the mark when the tip slides along the wall; then the aid keeps the
  * needle on its arc. */
-bool lesson_pierce(trainee *t)
+bool lesson_pierce(trainee *t, int pushes)
 {
     bool is_at = lesson_turn_square(t) && bring_tip(t);
-    for (int i = 0; i < 15 && is_at; i++) {
+    for (int i = 0; i < pushes && is_at; i++) {
         const sight now = *trainee_see(t), *s = &now;
         vec in = v_load(s->coach.direction);
         vec aside = v_sub(v_load(s->coach.point), s->needle);
@@ -89,7 +91,7 @@ bool lesson_pierce(trainee *t)
 void lesson_pass_mark(trainee *t)
 {
     (void)trainee_finish_motion(t);
-    if (!lesson_pierce(t) || !trainee_aid(t, VBSS_SESSION_AID_ARC)) {
+    if (!lesson_pierce(t, PUSHES) || !trainee_aid(t, VBSS_SESSION_AID_ARC)) {
         return;
     }
     for (int i = 0; i < 20 && trainee_move(t, RIGHT, v3(-2e-3, 0.0, 0.0)); i++) {

@@ -172,9 +172,20 @@ static bool go_outside(trainee *t, int side)
     return true;
 }
 
+/* Turned at the wall, the needle would pierce it anywhere. */
+static bool go_back(trainee *t, int side)
+{
+    vec in = v_load(trainee_see(t)->coach.direction);
+    return v_distance(trainee_see(t)->needle, point_of(t)) > OUTSIDE ||
+           trainee_move(t, side, v_scale(-OUTSIDE, in));
+}
+
 /* A needle from the floor becomes upright across the drain, with its tip outside the mark. */
 bool lesson_reach_mark(trainee *t, int side)
 {
+    if (!go_back(t, side)) {
+        return false;
+    }
     if (trainee_see(t)->needle.z < -5e-3 && !trainee_move(t, side, v3(0.0, 0.0, LIFT))) {
         return false;
     }

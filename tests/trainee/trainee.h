@@ -84,7 +84,7 @@ void lesson_pass_mark(trainee *t);
 /* The jaws lie square to the needle: their roll turns it until its tip points into the wall. */
 bool lesson_turn_square(trainee *t);
 /* False: the exercise has ended. */
-bool lesson_pierce(trainee *t);
+bool lesson_pierce(trainee *t, int pushes);
 /* cut.c */
 void lesson_cut(trainee *t);
 /* throws.c */

@@ -8,6 +8,7 @@
 #define OVER 25e-3    /* higher still: over the needle that the other hand has on this one's side */
 
 enum { LONGEST = 400 }; /* goals and repeats of them */
+enum { PUSHES = 5 };    /* then the wall gives way, and its support is set anew */
 
 /* A hand that holds the needle while the other one comes. */
 static double lean_of(const trainee *t, int side)
@@ -56,7 +57,7 @@ static bool follow(trainee *t, int side)
     case VBSS_SESSION_GOAL_REACH_MARK:
     case VBSS_SESSION_GOAL_PIERCE:
         t->entry = v_load(trainee_see(t)->coach.point);
-        return lesson_reach_mark(t, side) && lesson_pierce(t);
+        return lesson_reach_mark(t, side) && lesson_pierce(t, PUSHES);
     case VBSS_SESSION_GOAL_DRIVE:
         return lesson_drive(t, side);
     case VBSS_SESSION_GOAL_EXPOSE_TIP:
