@@ -4,6 +4,7 @@
 
 #include "base/rotation.h"
 #include "rig.h"
+#include "session/writable.h"
 
 /* Along the direction of the aids, which each test sets to x. */
 #define STRIDE 1e-4
@@ -296,7 +297,7 @@ static void a_hand_pulls_with_the_tension_beside_the_needle(void **state)
     static hand_path p;
     begin(&p);
     const scene_thread_info t = vbss_scene_inspect_thread(p.r.scene.thread);
-    double *tensions = (double *)(uintptr_t)t.tensions, arc = 0.0;
+    double *tensions = writable(t.tensions), arc = 0.0;
     session_observation seen;
     for (int k = 0; k < 2; k++) {
         arc = 0.0;

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "rig.h"
+#include "session/writable.h"
 
 #define STRIDE 1e-4
 #define ROUNDING 1e-15
@@ -31,7 +32,7 @@ static pose target_of(const hands *p, int tool)
 static void tense(const hands *p)
 {
     const scene_thread_info t = vbss_scene_inspect_thread(p->r.scene.thread);
-    double *tensions = (double *)(uintptr_t)t.tensions, arc = 0.0;
+    double *tensions = writable(t.tensions), arc = 0.0;
     for (uint32_t i = 0; i + 1 < t.node_count; i++) {
         tensions[i] = arc < 11e-3 ? p->limb : arc > t.length - 11e-3 ? p->tail : 3.0;
         arc += t.rest_lengths[i];

@@ -4,6 +4,7 @@
 
 #include "base/rotation.h"
 #include "rig.h"
+#include "session/writable.h"
 
 #define LENGTH 0.15
 
@@ -122,7 +123,7 @@ static void place_tail(const rig *r, double below, double beside)
     const vec3 across =
         vec3_unit_or(vec3_sub(d.positions[d.marks[1]], d.positions[d.marks[0]]), vec3_zero());
     const vec3 top = vec3_lerp(d.positions[d.marks[0]], d.positions[d.marks[1]], 0.5);
-    vec3 *positions = (vec3 *)(uintptr_t)t.positions;
+    vec3 *positions = writable(t.positions);
     double from_end = 0.0;
     for (uint32_t i = t.node_count; i-- > 0;) {
         const vec3 under = vec3_sub(vec3_scale(d.centre, 2.0), top);
