@@ -75,8 +75,23 @@ static void add_penalties(advice_list *l, const measured *m)
 
 /* ---- time that mistakes took until they were mended */
 
+/* s. A hole beside its mark can be mended until the first throw begins. */
+static double last_chance(const followed *t, uint32_t mistake)
+{
+    bool is_hole =
+        mistake == VBSS_SESSION_MISTAKE_ENTRY_MISSED || mistake == VBSS_SESSION_MISTAKE_EXIT_MISSED;
+    for (size_t i = 0; i < t->count && is_hole; i++) {
+        const vbss_session_event *e = &t->events[i];
+        if (e->kind == VBSS_SESSION_EVENT_PHASE && e->number == VBSS_SESSION_PHASE_THROW_1) {
+            return e->time;
+        }
+    }
+    return t->status.time;
+}
+
 static void add_mistake(advice_list *l, const followed *t, uint32_t mistake)
 {
+    const double end = last_chance(t, mistake);
     const vbss_session_event *first = NULL, *open = NULL;
     double seconds = 0.0;
     int times = 0;
@@ -90,13 +105,13 @@ static void add_mistake(advice_list *l, const followed *t, uint32_t mistake)
             first = first == NULL ? e : first;
             open = e;
         } else if (open != NULL) {
-            seconds += e->time - open->time;
+            seconds += fmax(fmin(e->time, end) - open->time, 0.0);
             times++;
             open = NULL;
         }
     }
-    if (open != NULL) { /* to the end */
-        seconds += t->status.time - open->time;
+    if (open != NULL) {
+        seconds += fmax(end - open->time, 0.0);
         times++;
     }
     if (times > 0) {
