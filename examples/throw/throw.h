@@ -115,7 +115,7 @@ typedef struct throw_run {
     throw_plan next;
     bool dropped;            /* the tail, knowingly */
     bool evenly;             /* it is pulled flat once the tail is taken again */
-    bool left;               /* what was wound is taken off again, and the throw ends */
+    bool left;               /* the hand takes the turns off again and ends the throw */
     double closed;           /* s in this state when both ends can be pulled; 0: not yet */
     double round_w, round_c; /* rad about the knot, of both hands as they go back */
     double far_w, far_c;     /* m from it, as they come round again */

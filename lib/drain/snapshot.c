@@ -128,7 +128,7 @@ static void check_consistency(vbss_stream *stream, const drain_object *d)
     }
 }
 
-/* What the matrix is of. Older libraries made it anew in each linearisation. */
+/* The shape of the matrix. Snapshots of version 1 have none, so the next linearisation assembles a new matrix. */
 static void visit_tangent(vbss_stream *stream, drain_object *d)
 {
     drain_tangent *now = &d->tangents[d->tangent];

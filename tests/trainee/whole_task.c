@@ -8,7 +8,7 @@
 #define OVER 25e-3    /* higher still: over the needle that the other hand has on this one's side */
 
 enum { LONGEST = 400 }; /* goals and repeats of them */
-enum { PUSHES = 5 };    /* then the wall gives way, and its support is set anew */
+enum { PUSHES = 5 };    /* after these the wall needs its support again */
 
 /* A hand that holds the needle while the other one comes. */
 static double lean_of(const trainee *t, int side)
