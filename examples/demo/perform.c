@@ -128,13 +128,13 @@ static void write_pages(performance *p)
 
 bool perform(performance *p)
 {
-    static double times[WATCH_STEPS];
+    static watch_step steps[WATCH_STEPS];
     p->watch.guest = observe;
     p->watch.user = p;
     p->watch.options.log = p->at.log;
     p->watch.options.coaching = true; /* for the debrief of the report */
     p->watch.album = p->at.stages;
-    p->result = watch_run(&p->watch, &p->surgeon, times);
+    p->result = watch_run(&p->watch, &p->surgeon, steps);
     bar_show(&p->bar, "writing the pages", 1.0);
     watch_report(&p->watch, &p->surgeon, p->result);
     watch_report_events(&p->watch);

@@ -245,13 +245,13 @@ static bool write_line(const tally *t, const watch *w, const surgeon *s, vbss_re
 static void run(watch w, bool whole, tally *t)
 {
     static surgeon s;
-    static double times[WATCH_STEPS];
+    static watch_step steps[WATCH_STEPS];
     listener hears = {.before = {.goal = -1}, .prints = w.options.coaching};
     if (w.options.coaching || w.options.mends) {
         w.guest = hear_coach;
         w.user = &hears;
     }
-    vbss_result result = watch_run(&w, &s, times);
+    vbss_result result = watch_run(&w, &s, steps);
     watch_report(&w, &s, result);
     watch_report_events(&w);
     bool good =

@@ -81,26 +81,14 @@ static void write_counts(FILE *out, const watch *w, const surgeon *s)
 {
     vbss_scene_statistics c;
     double cpu = 0.0;
-    for (int i = 0; i < SURGEON_DONE; i++) {
-        for (uint32_t k = 0; k < w->counts[i]; k++) {
-            cpu += w->times[i][k];
-        }
+    for (uint32_t i = 0; i < w->count; i++) {
+        cpu += w->steps[i].time;
     }
     if (vbss_scene_get_statistics(s->stitch.site.rig.scene, &c, sizeof c) == VBSS_OK) {
         fprintf(out, ", \"left_out_s\": %.4f, \"truncated\": %" PRIu64 ", \"operations\": %" PRIu64,
                 c.time_paused, c.clamped, c.operations);
     }
     fprintf(out, ", \"cpu_s\": %.2f", cpu);
-}
-
-/* The stage in which the hands made their last step. */
-static surgeon_stage last_stage(const watch *w)
-{
-    surgeon_stage last = SURGEON_PASS;
-    for (int i = 0; i < SURGEON_DONE; i++) {
-        last = w->counts[i] > 0 ? (surgeon_stage)i : last;
-    }
-    return last;
 }
 
 bool watch_write_outcome(FILE *out, const watch *w, const surgeon *s, vbss_result result,
@@ -112,9 +100,8 @@ bool watch_write_outcome(FILE *out, const watch *w, const surgeon *s, vbss_resul
             "\"complete\": %s, \"stage\": \"%s\", \"doing\": \"%s\", \"why\": \"%s\", "
             "\"hands_s\": %.3f, \"slit_mm\": %.4f",
             w->options.seed, skill->name, is_good ? "true" : "false", vbss_result_name(result),
-            watch_complete(w) ? "true" : "false", surgeon_stage_name(last_stage(w)),
-            surgeon_doing(s), s->why != NULL ? s->why : "", s->stitch.site.rig.time,
-            MILLI * s->gap);
+            watch_complete(w) ? "true" : "false", surgeon_stage_name(w->last), surgeon_doing(s),
+            s->why != NULL ? s->why : "", s->stitch.site.rig.time, MILLI * s->gap);
     if (w->task.session != NULL) {
         fprintf(out, ", \"phase\": \"%s\", \"failure\": \"%s\", \"seated\": %u",
                 task_phase_name(w->status.phase), task_failure_name(w->status.failure),

@@ -14,36 +14,34 @@ static void report_stages(const watch *w)
 {
     printf("  %-7s%9s%9s%9s%8s%8s%8s%9s%9s%10s\n", "stage", "begins s", "takes s", "CPU s",
            "p50 us", "p99", "p99.9", "longest", "left, N", "right, N");
+    const watch_step *steps = w->steps;
+    watch_sort_stages(w->steps, w->count);
     for (int i = 0; i < SURGEON_DONE; i++) {
         const uint32_t count = w->counts[i];
         double sum = 0.0;
         for (uint32_t k = 0; k < count; k++) {
-            sum += w->times[i][k];
+            sum += steps[k].time;
         }
         if (count > 0) {
-            watch_sort(w->times[i], count);
             printf("  %-7s%9.2f%9.2f%9.2f%8.0f%8.0f%8.0f%9.0f%9.2f%10.2f\n",
                    surgeon_stage_name((surgeon_stage)i), w->begin[i], count / MILLI, sum,
-                   watch_quantile(w->times[i], count, 0.5),
-                   watch_quantile(w->times[i], count, 0.99),
-                   watch_quantile(w->times[i], count, 0.999),
-                   watch_quantile(w->times[i], count, 1.0), w->left[i], w->right[i]);
+                   watch_quantile(steps, count, 0.5), watch_quantile(steps, count, 0.99),
+                   watch_quantile(steps, count, 0.999), watch_quantile(steps, count, 1.0),
+                   w->left[i], w->right[i]);
         }
+        steps += count;
     }
 }
 
-/* The stages' times lie one after the other: after this they are all together. */
 static void report_steps(watch *w, const surgeon *s)
 {
     vbss_scene_statistics c = {0};
-    double sum = 0.0, *all = w->times[0];
-    uint32_t count = 0, late = 0;
-    for (int i = 0; i < SURGEON_DONE; i++) {
-        count += w->counts[i];
-    }
+    watch_step *all = w->steps;
+    double sum = 0.0;
+    uint32_t count = w->count, late = 0;
     for (uint32_t i = 0; i < count; i++) {
-        sum += all[i];
-        late += all[i] > 1e-3;
+        sum += all[i].time;
+        late += all[i].time > 1e-3;
     }
     if (count == 0) {
         return;

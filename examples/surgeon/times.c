@@ -13,19 +13,30 @@ double watch_wall_clock(void)
     return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
-static int by_size(const void *a, const void *b)
+static int by_time(const void *a, const void *b)
 {
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
+    const watch_step *x = a, *y = b;
+    return (x->time > y->time) - (x->time < y->time);
 }
 
-void watch_sort(double *times, uint32_t count)
+static int by_stage(const void *a, const void *b)
 {
-    qsort(times, count, sizeof *times, by_size);
+    const watch_step *x = a, *y = b;
+    return x->stage == y->stage ? by_time(a, b) : x->stage > y->stage ? 1 : -1;
 }
 
-double watch_quantile(const double *times, uint32_t count, double share)
+void watch_sort(watch_step *steps, uint32_t count)
+{
+    qsort(steps, count, sizeof *steps, by_time);
+}
+
+void watch_sort_stages(watch_step *steps, uint32_t count)
+{
+    qsort(steps, count, sizeof *steps, by_stage);
+}
+
+double watch_quantile(const watch_step *steps, uint32_t count, double share)
 {
     uint32_t i = (uint32_t)(share * count);
-    return MICRO * times[i < count ? i : count - 1];
+    return MICRO * steps[i < count ? i : count - 1].time;
 }

@@ -74,20 +74,18 @@ static void observe(watch *w, const surgeon *s, const char *doing, bool changed)
     }
 }
 
-/* Of the steps of all stages there is room for so many. */
 static void keep_time(watch *w, surgeon_stage stage, double time)
 {
-    uint32_t *count = &w->counts[stage];
-    uint32_t before = (uint32_t)(w->times[stage] - w->times[0]);
-    if (before + *count < WATCH_STEPS) {
-        w->times[stage][(*count)++] = time;
+    if (w->count < WATCH_STEPS) {
+        w->steps[w->count++] = (watch_step){.time = time, .stage = stage};
+        w->counts[stage]++;
+        w->last = stage;
     }
 }
 
-static void enter(watch *w, const surgeon *s, surgeon_stage before)
+static void enter(watch *w, const surgeon *s)
 {
-    if (s->stage < SURGEON_DONE) {
-        w->times[s->stage] = w->times[before] + w->counts[before];
+    if (s->stage < SURGEON_DONE && w->counts[s->stage] == 0) {
         w->begin[s->stage] = s->stitch.site.rig.time;
     }
     watch_progress(w, s, true);
@@ -110,7 +108,7 @@ static vbss_result perform(watch *w, surgeon *s)
         const char *doing = surgeon_doing(s);
         observe(w, s, doing, strcmp(doing, before) != 0);
         if (s->stage != stage) {
-            enter(w, s, stage);
+            enter(w, s);
         } else {
             watch_progress(w, s, false);
         }
@@ -120,14 +118,14 @@ static vbss_result perform(watch *w, surgeon *s)
     return VBSS_OK;
 }
 
-vbss_result watch_run(watch *w, surgeon *s, double *times)
+vbss_result watch_run(watch *w, surgeon *s, watch_step *steps)
 {
     TRY(surgeon_create(s, &w->options));
     const task_plan plan = surgeon_task_plan(&w->options);
     TRY(task_create_as(&w->task, &s->stitch, s->stitch.site.rig.record, NULL, &plan));
     s->stitch.site.rig.session = w->task.session;
     w->began = watch_wall_clock();
-    w->times[0] = times;
+    w->steps = steps;
     vbss_result result = perform(w, s);
     w->wall = watch_wall_clock() - w->began;
     (void)vbss_session_get_status(w->task.session, &w->status, sizeof w->status);
