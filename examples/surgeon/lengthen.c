@@ -10,9 +10,13 @@
 #define DRAWING 0.012    /* m/s, of the jaws with the tail */
 #define EASING 0.01      /* m/s, back toward the hole */
 #define UP 0.7 /* height for a length of 1 along the tail, of the direction in which it is drawn */
-#define TOO_HARD 1.5  /* N */
-#define NOTHING 0.03  /* N */
-#define OFF 20e-3     /* m, upward, of jaws that have let go */
+#define TOO_HARD 1.5   /* N */
+#define NOTHING 0.03   /* N */
+#define OFF 20e-3      /* m, upward, of jaws that have let go, before they go aside */
+#define RISING 0.8     /* s: until then */
+#define RETURNING 0.12 /* m/s */
+#define ASIDE v3(-0.042, -0.046, 0.048)
+#define NEAR_ENOUGH 4e-3
 #define PATIENCE 12.0 /* s, of every state */
 
 const char *lengthen_name(lengthen_state state)
@@ -26,6 +30,12 @@ static void enter(lengthen_run *l, lengthen_state state)
 {
     l->state = state;
     l->since = 0.0;
+}
+
+/* On the near side, from where its way to the tail and back is clear of the limb. */
+static bool is_aside(const lengthen_run *l)
+{
+    return v_distance(l->see->tool_w.tip, ASIDE) < NEAR_ENOUGH;
 }
 
 static uint32_t place(const lengthen_run *l)
@@ -94,10 +104,12 @@ static void leave(lengthen_run *l)
 {
     hand *w = l->see->w;
     hand_open(w, OPENING);
-    if (l->since > 0.3) {
+    if (l->since > RISING) {
+        hand_go(w, ASIDE, RETURNING);
+    } else if (l->since > 0.3) {
         hand_go(w, v_along(l->carrot, OFF, v3(0.0, 0.0, 1.0)), COMING);
     }
-    if (l->since > 1.2) {
+    if (l->since > RISING && is_aside(l)) {
         enter(l, LENGTHEN_DONE);
     }
 }
@@ -110,7 +122,8 @@ void lengthen_step(lengthen_run *l, double dt)
     hold_steer(l->see->c, &l->pull->held, &l->needle, GIVING);
     switch (l->state) {
     case LENGTHEN_SLACK:
-        if (hold_off(at, &l->needle) < 3e-3 || l->since > 2.0) {
+        hand_go(l->see->w, ASIDE, RETURNING);
+        if ((hold_off(at, &l->needle) < 3e-3 || l->since > 2.0) && is_aside(l)) {
             catch_begin(&l->grip, l->see, l->see->w, place(l), OPENING, COMING);
             l->grip.minds = SURGEON_MINDS;
             enter(l, LENGTHEN_TAKE);

@@ -189,10 +189,23 @@ static const char *notation_after(surgeon_stage stage)
     return stage == SURGEON_TIE ? "2" : stage == SURGEON_SECOND ? "2=1" : "2=1=1";
 }
 
+/* Wound anew, with a tail that winding has drawn in: it is drawn out first. Later throws hold theirs. */
+static bool is_tail_drawn_in(surgeon *s)
+{
+    const throw_run *t = &s->tie;
+    return s->stage == SURGEON_TIE && t->state == THROW_PLACE && t->since == 0.0 &&
+           pull_tail(&s->stitch) < TAIL_SHORT;
+}
+
 static vbss_result tie(surgeon *s, double dt)
 {
     TRY(surgeon_tie(s, dt));
     TRY(move(s, dt));
+    if (is_tail_drawn_in(s)) {
+        lengthen_begin(&s->lengthen, &s->pull, &s->see);
+        s->stage = SURGEON_PULL;
+        return VBSS_OK;
+    }
     if (s->tie.state == THROW_DONE && s->tie.left) {
         return surgeon_begin_next(s);
     }

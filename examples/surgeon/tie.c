@@ -12,10 +12,11 @@
 #define OTHER v3(0.3, -0.05, 0.1)
 #define WRAP_TIP v3(0.014, 0.0, 0.07)
 #define WINDING \
-    0.03           /* N, that the right hand gives way to while it winds: more draws the tail in */
-#define LOW 0.02   /* m below the drain's top, to where both hands pull */
-#define ENOUGH 1.0 /* N, of both hands, if the slit is shut */
-#define SHUT 0.45e-3 /* m, between the edges' middles: closer than lips that meet */
+    0.03 /* N, that the right hand gives way to while it winds: more draws the tail in */
+#define DRAWN_IN 9e-3 /* m of tail, that can be taken again */
+#define LOW 0.02      /* m below the drain's top, to where both hands pull */
+#define ENOUGH 1.0    /* N, of both hands, if the slit is shut */
+#define SHUT 0.45e-3  /* m, between the edges' middles: closer than lips that meet */
 /* Pulled from where the first was: open no wider than that between the lips, both hands pull so much; or less, if the drain goes with one of
  * them. */
 #define SHUT_AGAIN 0.3e-3
@@ -136,6 +137,14 @@ static void lead_thread(surgeon *s)
     }
 }
 
+/* The first time the double is wound the needle still hangs as the jaws took it. */
+static bool is_led(const surgeon *s)
+{
+    const throw_run *t = &s->tie;
+    const bool anew = t->retries > 0 || s->lengthen.state != LENGTHEN_NOT;
+    return t->state <= THROW_CHECK && !t->unwinds && (s->stage != SURGEON_TIE || anew);
+}
+
 /* Above its jaws, so that they can go low. */
 static void raise_needle(surgeon *s)
 {
@@ -213,9 +222,19 @@ static vbss_result watch_below(surgeon *s)
     return VBSS_OK;
 }
 
+/* C has hooked the limb, and draws the thread through the drain. */
+static void watch_tail(surgeon *s)
+{
+    const bool winds = s->tie.state == THROW_ORBIT && s->stage == SURGEON_TIE;
+    if (winds && !s->tie.unwinds && pull_tail(&s->stitch) < DRAWN_IN) {
+        throw_fail(&s->tie, "tail drawn in");
+    }
+}
+
 vbss_result surgeon_tie(surgeon *s, double dt)
 {
     sway(s, dt);
+    watch_tail(s);
     if (s->stage == SURGEON_TIE) { /* both come out of the drain */
         find_roots(s);
         s->tie.tail_root = s->see.tail_root;
@@ -224,7 +243,7 @@ vbss_result surgeon_tie(surgeon *s, double dt)
     TRY(surgeon_observe(s));
     TRY(watch_below(s));
     TRY(throw_step(&s->tie, dt));
-    if (s->stage != SURGEON_TIE && s->tie.state <= THROW_CHECK) {
+    if (is_led(s)) {
         lead_thread(s);
     } else if (s->stage != SURGEON_TIE && s->tie.state >= THROW_DRAW) {
         raise_needle(s);

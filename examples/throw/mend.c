@@ -7,6 +7,7 @@ static void unwind(throw_run *t, const throw_plan *plan)
     hand_open(t->see->w, 0.0);
     t->next = *plan;
     t->unwinds = true;
+    t->retries++;
     t->plan.mistake = THROW_NO_MISTAKE;
     throw_enter(t, THROW_ORBIT);
 }

@@ -15,8 +15,6 @@
 #define THROW_DRAGGED 12e-3
 
 void throw_enter(throw_run *t, throw_state state);
-/* Once more, from the beginning, if it is not too late. */
-void throw_fail(throw_run *t, const char *why);
 
 /* ---- wind.c: the limb round W's jaws */
 vbss_result throw_pick(throw_run *t, double dt);

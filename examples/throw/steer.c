@@ -60,7 +60,8 @@ static double steer_free_length(const throw_run *t)
         return t->hold - v_distance(steer_limb_root(t), f.origin);
     }
     double length = senses_length(s, s->last, s->c->node);
-    return t->plan.firm ? larger(length, taut_length(t)) : length;
+    /* Turns that come off jam on the way: the limb between them and C looks shorter than it is. */
+    return t->plan.firm || t->unwinds ? larger(length, taut_length(t)) : length;
 }
 
 /* ---- C keeps the limb taut at its angle */
@@ -82,7 +83,7 @@ void steer_keep_taut(throw_run *t, double speed, double dt)
         t->give = smaller(1.0, t->give + 0.2 * dt);
     }
     t->rho += clamp(wanted - t->rho, -0.1 * dt, 0.1 * dt);
-    t->rho = clamp(t->rho, 0.006, 0.05);
+    t->rho = clamp(t->rho, 0.006, t->plan.widest);
     vec jaws = steer_on_orbit(&f, t->phi, t->rho);
     jaws.z = larger(jaws.z, t->plan.clearance);
     hand_go(s->c, steer_tip_of(t, jaws), speed);

@@ -26,6 +26,7 @@ void throw_plan_usual(throw_plan *p, int wraps)
         .speed = 0.12,
         .tension = 0.04,
         .clearance = 0.003,
+        .widest = 0.05,
         .drawn = 0.15,
         .reach = REACH,
         .min_height = -1.0,
@@ -57,7 +58,9 @@ void throw_plan_on_top(throw_plan *p)
 
 #define FROM_TIP 5e-3       /* of the first turn, when the next are nearer to the handle */
 #define TIP_BEFORE (-12e-3) /* W then, so that the limb stands up to it on the tip's side */
-enum { TAIL_MIDDLE = 30 };  /* nodes from its end */
+#define NARROW \
+    0.03 /* m: round the limb, which is below C's way then and which a wider circle hooks */
+enum { TAIL_MIDDLE = 30 }; /* nodes from its end */
 
 void throw_plan_spoil(throw_plan *p, throw_mistake mistake)
 {
@@ -68,6 +71,8 @@ void throw_plan_spoil(throw_plan *p, throw_mistake mistake)
         p->s0 = FROM_TIP;
         p->ds = -2.0 * p->ds;
         p->wrap_tip.x = TIP_BEFORE;
+        p->widest = NARROW;
+        p->firm = true;
     } else if (mistake == THROW_BIGHT) {
         p->tail_node = TAIL_MIDDLE;
     }

@@ -72,9 +72,10 @@ typedef struct throw_plan {
         backs_off; /* N, felt by C on its orbit: it has hooked something, and the limb is wound anew; 0: nothing */
     /* What does not go is tried again: drawn harder; both ease in the end, and may pull again. */
     bool again;
-    bool firm;    /* C winds as wide as the limb is long, however slack it has become */
-    double light; /* N, of C while the tail is drawn through */
-    double drawn; /* N, of W meanwhile: what is tied already stays quiet */
+    bool firm;     /* C winds as wide as the limb is long, however slack it has become */
+    double widest; /* radius of C's orbit */
+    double light;  /* N, of C while the tail is drawn through */
+    double drawn;  /* N, of W meanwhile: what is tied already stays quiet */
     double reach; /* share of the tail that W goes to while turns are on its jaws: it hangs slack */
     double min_height; /* m above the drain's top, of W meanwhile */
     double tilt;       /* rad, of W's way meanwhile, from upright to the near side */
@@ -150,6 +151,8 @@ bool throw_is_slack(const throw_run *t);
 void throw_pull_again(throw_run *t);
 /* It has sprung open since W let the tail go: W takes that again, and both pull again, flat with both ends bent or from behind. */
 void throw_retake(throw_run *t, bool evenly);
+/* Once more, from the beginning, if it is not too late; else the throw has failed. */
+void throw_fail(throw_run *t, const char *why);
 /* Nothing is drawn through yet: W comes out of the turns, and the throw ends with `left`. */
 void throw_leave(throw_run *t);
 /* That the throw shall have: each has the other hand's. */
