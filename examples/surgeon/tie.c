@@ -176,7 +176,7 @@ static void choose_direction(surgeon *s)
 
 static void watch_seat(surgeon *s, double weaker, double dt)
 {
-    bool met = s->tie.state == THROW_SEAT && s->gap < SPRUNG && weaker > SEATED;
+    bool met = s->tie.state == THROW_SEAT && s->gap < SPRUNG_THIRD && weaker > SEATED;
     s->met = since_when(met, s->met, dt);
     s->seated = s->stage < SURGEON_THIRD || (s->gap < GAPES && (s->seated || s->met > A_MOMENT));
 }
