@@ -36,14 +36,15 @@
 #define NEAR 1.5e-3      /* of the tip to the middle of the wall, when it presses on that */
 #define FORK_MOVED 2e-3  /* at most */
 #define ELSEWHERE 0.4e-3 /* up, down, farther up: where the wall tips over it */
+#define BESIDE 1e-3      /* along the drain, when all places have been tried in vain */
 #define TRIMMING 0.1     /* s, in which what misses the mark is taken into the aim */
 #define SLOWLY 0.5       /* through the left wall, whatever the hand */
 #define NEARLY 0.4e-3    /* beside the mark: with more, slower still */
 #define SPRINGS 0.05     /* s: so soon after it has entered the wall may spring off it */
 #define SEEING 0.1       /* s: what is seen is told so late */
 
-enum { TRIES = 5, AGAIN = 9 }; /* to take it, to enter the right wall; to come back to the left */
-enum { PLACES = 5 };           /* of the fork on the left wall */
+enum { TRIES = 5, AGAIN = 14 }; /* to take it, to enter the right wall; to come back to the left */
+enum { PLACES = 5 };            /* of the fork on the left wall */
 
 static const char *const names[] = {"lie",   "reach", "lower", "close", "lift", "bring", "aim",
                                     "enter", "cross", "leave", "ease",  "draw", "done",  "failed"};
@@ -292,6 +293,10 @@ static void try_again(stitch *t, yielding how)
         t->fork = v_along(t->fork, clamp(higher, -LOWER, LOWER), up);
         double elsewhere = ELSEWHERE * (place > 0 ? place + 1 : 0);
         t->fork = v_along(t->fork, place % 2 == 1 ? elsewhere : -elsewhere, up);
+    }
+    const int round = t->again / PLACES;
+    if (round > 0) {
+        t->fork = v_along(t->fork, round % 2 == 1 ? BESIDE : -BESIDE, along);
     }
     t->trim = v3(0.0, 0.0, 0.0);
     t->square = 0.0;
