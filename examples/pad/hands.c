@@ -88,6 +88,12 @@ vbss_result pad_see_stitch(pad *p)
     return tie_see(&p->tie, p->sutures[0].thread_body, segment_length(&p->sutures[0]));
 }
 
+vbss_result pad_follow_knot(pad *p)
+{
+    VBSS_TRY(pad_see_stitch(p));
+    return tie_follow(&p->tie);
+}
+
 static vbss_result begin_tie(pad *p)
 {
     p->is_tying = true;
@@ -257,5 +263,6 @@ vbss_result pad_step(pad *p, bool *is_done)
     VBSS_TRY(pad_write_log(p));
     p->since += p->is_tying || pad_waits(p) ? 0.0 : PAD_STEP;
     p->time += PAD_STEP;
+    VBSS_TRY(p->tie.state == TIE_DONE ? pad_follow_knot(p) : VBSS_OK);
     return count_events(p);
 }

@@ -4,7 +4,7 @@
  *
  * The pad is a shell of the library with triangles of its own (vbss_drain_surface), held by clamps at its border and by springs below.
  * Two scripted hands drive a needle through both lips and draw the thread after it. They tie the interrupted stitch with a double throw and two
- * single ones, and its ends are cut. The running suture has a thread of its own, whose tail is held as by a clamp. Prints what happens;
+ * single ones; an assistant holds the knot between throws. Then its ends are cut. The running suture has a thread of its own, whose tail is held as by a clamp. Prints what happens;
  * exits 0 if all eight holes are there, the knot is certified as 2=1=1 in the end, the lips touch at each bite that is
  * drawn tight, and at the stitch in the end, and nothing passed through the skin but by the holes.
  *

@@ -124,6 +124,7 @@ vbss_result pad_step(pad *p, bool *is_done);
 pad_suture *pad_current(pad *p);
 /* Shows the thread of the stitch as it is to the hands that tie. */
 vbss_result pad_see_stitch(pad *p);
+vbss_result pad_follow_knot(pad *p);
 
 /* tighten.c: of the running suture. */
 void pad_tighten(pad *p);

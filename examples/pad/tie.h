@@ -99,6 +99,8 @@ vec3 tie_limited(vec3 v, double limit);
 /* ---- tie_knot.c */
 /* Reads the knot of the thread without its tools; finds the roots of limb and tail. */
 vbss_result tie_judge(pad_tie *t);
+/* Goes on reading the tied knot from step to step: the order of its throws is known from before. */
+vbss_result tie_follow(pad_tie *t);
 /* How often the thread is wound about the jaws, with its sign. */
 vbss_result tie_count_turns(pad_tie *t, double *turns);
 

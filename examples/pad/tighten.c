@@ -3,10 +3,12 @@
 
 #include <math.h>
 
-static const double guiding = 0.15 /* N: while the thread is drawn, and the needle comes down */,
-                    firm = 0.25 /* N, also of lips that touch before */,
-                    most = 0.5 /* N, to close the lips */, rising = 0.4 /* N/s */,
-                    speed = 60e-3 /* m/s */;
+static const double
+    guiding = 0.15 /* N: while the thread is drawn, and the needle comes down */,
+    firm =
+        0.4 /* N, also of lips that touch before: a slack thread would stay slack behind its holes */
+    ,
+    most = 0.5 /* N, to close the lips */, rising = 0.4 /* N/s */, speed = 60e-3 /* m/s */;
 /* Lips that touch are 0.40 mm apart, a fifth of the skin's thickness (docs/explanation/drain-contact.md). */
 static const double touching = 0.45e-3 /* m, across the incision */,
                     folded = 0.6e-3 /* m: lips that had touched, and were pressed too hard */;
@@ -45,14 +47,15 @@ void pad_tighten(pad *p)
     }
     const vec3 across = pad_across(p, pad_place(p->bite));
     const bool is_shut = fabs(across.x) < touching;
+    const double enough = fmin(firm, t->most);
     ease(p, t->have_met && vec3_norm(across) > folded);
     t->have_met = t->have_met || is_shut;
     if (p->since <= lowering || t->easing > 0.0) {
         t->wanted = guiding;
-    } else if (!is_shut || t->wanted < firm) {
+    } else if (!is_shut || t->wanted < enough) {
         t->wanted = fmin(t->wanted + rising * PAD_STEP, t->most);
     }
-    const bool is_firm = is_shut && t->wanted >= firm;
+    const bool is_firm = is_shut && t->wanted >= enough;
     t->shut = is_firm && t->easing == 0.0 ? t->shut + PAD_STEP : 0.0;
     const double lacking = 1.0 - p->tension / t->wanted;
     p->pulled += speed * PAD_STEP * fmax(-1.0, fmin(is_firm ? 0.0 : 1.0, 4.0 * lacking));
