@@ -4,9 +4,9 @@
  *
  * The pad is a shell of the library with triangles of its own (vbss_drain_surface), held by clamps at its border and by springs below.
  * Two scripted hands drive a needle through both lips and draw the thread after it. They tie the interrupted stitch with a double throw and two
- * single ones; an assistant holds the knot between throws. Then its ends are cut. The running suture has a thread of its own, whose tail is held as by a clamp. Prints what happens;
- * exits 0 if all eight holes are there, the knot is certified as 2=1=1 in the end, the lips touch at each bite that is
- * drawn tight, and at the stitch in the end, and nothing passed through the skin but by the holes.
+ * single ones; an assistant holds the knot between the throws. Then its ends are cut. The running suture has a thread of its own, whose
+ * tail is held as by a clamp. Prints what happens; exits 0 if all eight holes are there, the knot is certified as 2=1=1 in the end, the
+ * lips touch at each bite that is drawn tight, and at the stitch in the end, and nothing passed through the skin but by the holes.
  *
  * A seed varies the performance: the hands' places are up to 0.1 mm off, along each axis. 0, the default, is without. */
 #include <inttypes.h>

@@ -115,8 +115,7 @@ vbss_result pad_run(pad *p, const pad_options *o, pad_outcome *out)
         }
     }
     VBSS_TRY(pad_measure(p, &out->end));
-    for (uint32_t i = 0; i < READING && p->tie.state == TIE_DONE;
-         i++) { /* the knot, after all else */
+    for (uint32_t i = 0; i < READING && p->tie.state == TIE_DONE; i++) {
         VBSS_TRY(pad_follow_knot(p));
     }
     VBSS_TRY(pad_end_log(p));

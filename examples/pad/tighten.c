@@ -3,12 +3,10 @@
 
 #include <math.h>
 
-static const double
-    guiding = 0.15 /* N: while the thread is drawn, and the needle comes down */,
-    firm =
-        0.4 /* N, also of lips that touch before: a slack thread would stay slack behind its holes */
-    ,
-    most = 0.5 /* N, to close the lips */, rising = 0.4 /* N/s */, speed = 60e-3 /* m/s */;
+static const double guiding = 0.15 /* N: while the thread is drawn, and the needle comes down */,
+                    firm = 0.4 /* N, at least: less leaves thread slack behind its holes */,
+                    most = 0.5 /* N, to close the lips */, rising = 0.4 /* N/s */,
+                    speed = 60e-3 /* m/s */;
 /* Lips that touch are 0.40 mm apart, a fifth of the skin's thickness (docs/explanation/drain-contact.md). */
 static const double touching = 0.45e-3 /* m, across the incision */,
                     folded = 0.6e-3 /* m: lips that had touched, and were pressed too hard */;
