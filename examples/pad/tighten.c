@@ -4,14 +4,15 @@
 #include <math.h>
 
 static const double guiding = 0.15 /* N: while the thread is drawn, and the needle comes down */,
-                    firm = 0.4 /* N, at least: less leaves thread slack behind its holes */,
+                    firm = 0.3 /* N, at least: less leaves thread slack behind its holes */,
+                    slack = 0.05 /* N: folded lips come back */,
                     most = 0.5 /* N, to close the lips */, rising = 0.4 /* N/s */,
                     speed = 60e-3 /* m/s */;
 /* Lips that touch are 0.40 mm apart, a fifth of the skin's thickness (docs/explanation/drain-contact.md). */
 static const double touching = 0.45e-3 /* m, across the incision */,
                     folded = 0.6e-3 /* m: lips that had touched, and were pressed too hard */;
 static const double lowering = 0.8 /* s: the needle comes down */, kept = 0.3 /* s, of shut lips */,
-                    rest = 0.3 /* s: folded lips come back */,
+                    rest = 0.3 /* s, of lips that are flat again */,
                     patience = 6.0 /* s, more than the script has */;
 static const double less = 0.8; /* of the force at which they folded */
 
@@ -27,7 +28,7 @@ static void ease(pad *p, bool is_off)
     if (is_off && t->easing == 0.0) {
         t->most = less * fmax(p->tension, guiding);
         t->easing = PAD_STEP;
-    } else if (t->easing > 0.0 && p->tension < 1.2 * guiding) {
+    } else if (t->easing > 0.0 && !is_off && p->tension < guiding) {
         t->easing += PAD_STEP;
     }
     if (t->easing > rest) {
@@ -49,7 +50,7 @@ void pad_tighten(pad *p)
     ease(p, t->have_met && vec3_norm(across) > folded);
     t->have_met = t->have_met || is_shut;
     if (p->since <= lowering || t->easing > 0.0) {
-        t->wanted = guiding;
+        t->wanted = t->easing > 0.0 ? slack : guiding;
     } else if (!is_shut || t->wanted < enough) {
         t->wanted = fmin(t->wanted + rising * PAD_STEP, t->most);
     }
