@@ -5,8 +5,7 @@
 
 #include "base/error.h"
 
-static const double touching = 0.45e-3 /* m, of lips: their contact distance and some more */;
-static const double tight = 0.5 /* N: more would slip the lips over each other */,
+static const double tight = 0.3 /* N, of tail and assistant: as much as closes a bite */,
                     returning = 1.5 /* s, of hands that have tied */,
                     speed = 60e-3 /* m/s, of a hand that pulls */, arm = 50.0 /* N/m */;
 enum {
@@ -14,7 +13,10 @@ enum {
     EAR = 14    /* of either end beyond the knot */
 };
 static const double followed = 25e-3; /* m of thread from the skin to the assistant */
-enum { BESIDE_NEEDLE = 4 };           /* segment whose tension the second hand feels */
+enum {
+    BESIDE_NEEDLE = 4,     /* segment whose tension the second hand feels */
+    VARY_THROW = PAD_BITES /* first number of the variations of throws */
+};
 
 static double segment_length(const pad_suture *s)
 {
@@ -36,14 +38,6 @@ static vbss_result feel(pad *p)
         vbss_thread_get_view(s->thread, VBSS_THREAD_VIEW_TENSIONS, &tensions, sizeof tensions));
     p->tension = s->has_needle ? ((const double *)tensions.data)[BESIDE_NEEDLE] : 0.0;
     return VBSS_OK;
-}
-
-/* The second hand draws the needle until the thread is tight or the lips touch. */
-static void tighten(pad *p)
-{
-    const bool is_shut = pad_opening(p, pad_place(p->bite)) < touching;
-    const double lacking = is_shut ? 0.0 : 1.0 - p->tension / tight;
-    p->pulled += speed * PAD_STEP * fmax(-1.0, fmin(1.0, 4.0 * lacking));
 }
 
 /* Over the incision and away from it, where the tail would be tied. */
@@ -94,6 +88,12 @@ vbss_result pad_see_stitch(pad *p)
     return tie_see(&p->tie, p->sutures[0].thread_body, segment_length(&p->sutures[0]));
 }
 
+vbss_result pad_follow_knot(pad *p)
+{
+    VBSS_TRY(pad_see_stitch(p));
+    return tie_follow(&p->tie);
+}
+
 static vbss_result begin_tie(pad *p)
 {
     p->is_tying = true;
@@ -120,12 +120,14 @@ static vbss_result tie(pad *p)
     const uint32_t body = t->thread.body;
     VBSS_TRY(pad_see_stitch(p));
     VBSS_TRY(t->thread.body != body ? tie_judge(t) : VBSS_OK);
-    t->gap = pad_gap(p, pad_place(0));
+    t->lips = pad_across(p, pad_place(0));
+    t->off = pad_vary(p->seed, VARY_THROW + t->throws);
     if (t->state == TIE_DONE) {
         return_hand(p, 0, &t->c);
         return_hand(p, 1, &t->w);
     }
     VBSS_TRY(tie_step(t, PAD_STEP));
+    VBSS_TRY(pad_hold_knot(p, before == TIE_PULL && t->state == TIE_EASE));
     if (before == TIE_TAKE && t->state == TIE_PLACE) {
         VBSS_TRY(cut_needle_off(p));
     } else if (before == TIE_EASE && t->state == TIE_LEAVE) {
@@ -198,6 +200,7 @@ static vbss_result advance(pad *p, bool *is_done)
         if (!missed && p->phase + 1 < PAD_PHASES) {
             p->pulled = p->phase == PAD_OFFER ? 0.0 : p->pulled;
             p->phase = (pad_phase)(p->phase + 1);
+            p->drawn = p->phase == PAD_DRAW ? 0.0 : p->drawn;
         } else if (!missed && p->bite + 1 < PAD_BITES) {
             VBSS_TRY(end_bite(p));
         } else {
@@ -237,7 +240,10 @@ static vbss_result sew(pad *p)
 {
     VBSS_TRY(feel(p));
     if (p->phase == PAD_TIGHTEN && p->bite > 0) {
-        tighten(p);
+        pad_tighten(p);
+    }
+    if (p->phase == PAD_DRAW && pad_follows(p)) {
+        p->drawn = fmin(p->drawn + pad_draw_step(p), 1.0);
     }
     VBSS_TRY(place_hands(p));
     VBSS_TRY(p->bite > 1 || (p->bite == 1 && p->phase == PAD_TIGHTEN) ? pull_tail(p) : VBSS_OK);
@@ -255,7 +261,8 @@ vbss_result pad_step(pad *p, bool *is_done)
     *is_done = p->tie.state == TIE_FAILED;
     VBSS_TRY(vbss_scene_step(p->scene, PAD_STEP));
     VBSS_TRY(pad_write_log(p));
-    p->since += p->is_tying ? 0.0 : PAD_STEP;
+    p->since += p->is_tying || pad_waits(p) ? 0.0 : PAD_STEP;
     p->time += PAD_STEP;
+    VBSS_TRY(p->tie.state == TIE_DONE ? pad_follow_knot(p) : VBSS_OK);
     return count_events(p);
 }

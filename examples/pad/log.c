@@ -1,19 +1,20 @@
 /* The log of the run. */
+#include <inttypes.h>
+
 #include "base/error.h"
 #include "pad.h"
-
-static const char note[] = "vbss pad seed 0";
 
 vbss_result pad_begin_log(pad *p)
 {
     vbss_record_config config = vbss_record_config_default();
+    char note[48];
     if (p->log == NULL) {
         return VBSS_OK;
     }
     config.hash_interval = 50;
     config.buffer_bytes = 1u << 24;
     config.note = note;
-    config.note_bytes = sizeof note - 1;
+    config.note_bytes = (uint32_t)snprintf(note, sizeof note, "vbss pad seed %" PRIu64, p->seed);
     VBSS_TRY(vbss_record_create(p->scene, &config, &p->record));
     VBSS_TRY(vbss_scene_set_recorder(p->scene, p->record));
     return pad_write_log(p);

@@ -22,39 +22,29 @@ static const vec3 *skin_nodes(const pad *p)
 
 /* ---- lips */
 
-static double row_gap(const pad *p, const vec3 *x, uint32_t row)
-{
-    return vec3_distance(x[p->sheet.lips[0][row]], x[p->sheet.lips[1][row]]);
-}
-
-double pad_gap(const pad *p, double z)
-{
-    const vec3 *x = skin_nodes(p);
-    const double first = p->sheet.x[p->sheet.lips[0][0]][2],
-                 spacing = p->sheet.x[p->sheet.lips[0][1]][2] - first;
-    const double at = (z - first) / spacing;
-    const uint32_t row = (uint32_t)at;
-    const double part = at - row;
-    return (1.0 - part) * row_gap(p, x, row) + part * row_gap(p, x, row + 1);
-}
-
 static vec3 on_lip(const pad *p, const vec3 *x, int side, double at)
 {
     const uint32_t row = (uint32_t)at < PAD_ROWS - 1 ? (uint32_t)at : PAD_ROWS - 2;
     return vec3_lerp(x[p->sheet.lips[side][row]], x[p->sheet.lips[side][row + 1]], at - row);
 }
 
-double pad_opening(const pad *p, double z)
+vec3 pad_across(const pad *p, double z)
 {
     const vec3 *x = skin_nodes(p);
     const double first = p->sheet.x[p->sheet.lips[0][0]][2],
                  spacing = p->sheet.x[p->sheet.lips[0][1]][2] - first;
     const vec3 here = on_lip(p, x, 0, (z - first) / spacing);
-    double nearest = (double)INFINITY;
+    vec3 nearest = vec3_make((double)INFINITY, 0.0, 0.0);
     for (uint32_t i = 0; i < 20 * (PAD_ROWS - 1); i++) {
-        nearest = fmin(nearest, vec3_distance(here, on_lip(p, x, 1, i / 20.0)));
+        const vec3 to = vec3_sub(on_lip(p, x, 1, i / 20.0), here);
+        nearest = vec3_norm(to) < vec3_norm(nearest) ? to : nearest;
     }
     return nearest;
+}
+
+double pad_opening(const pad *p, double z)
+{
+    return vec3_norm(pad_across(p, z));
 }
 
 static void measure_skin(const pad *p, pad_report *r)

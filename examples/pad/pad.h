@@ -65,11 +65,20 @@ typedef struct pad_suture {
     bool has_needle; /* it has not been cut off */
 } pad_suture;
 
+/* A bite of the running suture is pulled tight. */
+typedef struct pad_tightening {
+    double wanted, most; /* of the thread; the first rises, N */
+    bool have_met;       /* the lips */
+    double easing;       /* s since they folded; 0: they have not */
+    double shut, waited; /* with the lips shut; beyond the script's time, s */
+} pad_tightening;
+
 typedef struct pad {
     vbss_context *context;
     vbss_scene *scene;
     vbss_record *record;
-    FILE *log; /* receives its bytes; may be NULL */
+    FILE *log;     /* receives its bytes; may be NULL */
+    uint64_t seed; /* of the variation; 0: none */
     vbss_drain *skin;
     uint32_t skin_body;
     pad_sheet sheet;
@@ -77,12 +86,15 @@ typedef struct pad {
     scripted_hand hands[2];          /* drives the needle; takes it over */
     pad_tie tie;                     /* of the interrupted stitch */
     bool is_tying;
+    scripted_pull held[2];         /* limb and tail beside the knot, by an assistant */
     scripted_pull tail, assistant; /* of the running suture; the hand that follows it */
     uint32_t bite;
     pad_phase phase;
-    double since;               /* s in the phase */
-    double time;                /* s */
-    double pulled;              /* by the second hand beyond where it drew the needle to, m */
+    double since;  /* s in the phase */
+    double time;   /* s */
+    double drawn;  /* share of the way that the needle is drawn from the skin */
+    double pulled; /* by the second hand beyond where it drew the needle to, m */
+    pad_tightening tightening;
     double tension;             /* of the thread beside the needle, N */
     uint32_t punctures, others; /* events: holes made; withdrawn, unthreaded or torn */
 } pad;
@@ -101,6 +113,8 @@ double pad_phase_time(uint32_t bite, pad_phase phase);
 double pad_place(uint32_t bite); /* along the incision, m */
 vec3 pad_needle_centre(const pad *p);
 double pad_needle_turned(const pad *p); /* rad */
+/* How much farther the needle would be drawn in the next step. */
+double pad_draw_step(const pad *p);
 /* Sets angle and displacement of a hand, and gives the centre of the circle that they refer to. */
 vec3 pad_direct_hand(const pad *p, int which, scripted_hand *hand);
 bool pad_hand_is_open(const pad *p, int which);
@@ -110,6 +124,17 @@ vbss_result pad_step(pad *p, bool *is_done);
 pad_suture *pad_current(pad *p);
 /* Shows the thread of the stitch as it is to the hands that tie. */
 vbss_result pad_see_stitch(pad *p);
+vbss_result pad_follow_knot(pad *p);
+
+/* tighten.c: of the running suture. */
+void pad_tighten(pad *p);
+/* The thread follows the needle freely. */
+bool pad_follows(const pad *p);
+/* The clock of the script shall wait, as the bite is not tight yet. */
+bool pad_waits(pad *p);
+
+/* hold.c: in each step of tying. `has_locked`: a throw has just been pulled tight. */
+vbss_result pad_hold_knot(pad *p, bool has_locked);
 
 /* log.c */
 vbss_result pad_begin_log(pad *p);
@@ -140,10 +165,12 @@ typedef struct pad_report {
 } pad_report;
 
 vbss_result pad_measure(pad *p, pad_report *r);
-/* Between the points of both lips that were opposite each other, beside a place, m. */
-double pad_gap(const pad *p, double z);
-/* From a point of the left lip to the nearest one of the right lip, m: less than the gap where the lips have slid along each other. */
+/* From a point of the left lip to the nearest one of the right lip, m. */
+vec3 pad_across(const pad *p, double z);
 double pad_opening(const pad *p, double z);
+
+/* vary.c: by how much a place of the hands is off, m. `place`: which one. */
+vec3 pad_vary(uint64_t seed, uint32_t place);
 
 /* picture.c */
 bool pad_save_picture(pad *p, const char *path, const char *text, bool from_above);

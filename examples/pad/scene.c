@@ -145,8 +145,10 @@ static vbss_result create_scene(pad *p)
 vbss_result pad_create(vbss_context *context, pad *p)
 {
     FILE *log = p->log;
+    const uint64_t seed = p->seed;
     memset(p, 0, sizeof *p);
     p->log = log;
+    p->seed = seed;
     p->context = context;
     VBSS_TRY(create_scene(p));
     VBSS_TRY(add_skin(p));

@@ -86,14 +86,14 @@ static double part_of(const pad *p)
     return smooth(seconds > 0.0 ? p->since / seconds : 1.0);
 }
 
-static vec3 site(uint32_t bite)
+static vec3 site(const pad *p, uint32_t bite)
 {
-    return vec3_make(0.0, height, pad_place(bite));
+    return vec3_add(vec3_make(0.0, height, pad_place(bite)), pad_vary(p->seed, bite));
 }
 
-static vec3 over_site(uint32_t bite)
+static vec3 over_site(const pad *p, uint32_t bite)
 {
-    return vec3_make(0.0, above, pad_place(bite));
+    return vec3_add(vec3_make(0.0, above, pad_place(bite)), pad_vary(p->seed, bite));
 }
 
 /* `lowered`: share of the path from above the stitch to beside it. */
@@ -101,26 +101,32 @@ static vec3 drawn(const pad *p, uint32_t bite, double part, double lowered)
 {
     const vec3 up = vec3_load(draw_directions[bite > 0]), low = vec3_load(low_direction);
     const vec3 direction = bite > 0 ? vec3_unit_or(vec3_lerp(up, low, lowered), up) : up;
-    const vec3 at = vec3_add_scaled(site(bite), part * draw[bite], direction);
+    const vec3 at = vec3_add_scaled(site(p, bite), part * draw[bite], direction);
     return vec3_add_scaled(at, p->pulled, vec3_load(tighten_direction));
 }
 
 vec3 pad_needle_centre(const pad *p)
 {
     if (p->phase == PAD_OFFER && p->bite >= FIRST_OFFERED) {
-        return vec3_lerp(drawn(p, p->bite - 1, 1.0, 1.0), over_site(p->bite), part_of(p));
+        return vec3_lerp(drawn(p, p->bite - 1, p->drawn, 1.0), over_site(p, p->bite), part_of(p));
     }
     if (p->phase < PAD_LOWER) {
-        return over_site(p->bite);
+        return over_site(p, p->bite);
     }
     if (p->phase == PAD_LOWER) {
-        return vec3_lerp(over_site(p->bite), site(p->bite), part_of(p));
+        return vec3_lerp(over_site(p, p->bite), site(p, p->bite), part_of(p));
     }
     if (p->phase < PAD_DRAW) {
-        return site(p->bite);
+        return site(p, p->bite);
     }
     const double lowered = p->phase == PAD_TIGHTEN ? smooth(p->since / lowering) : 0.0;
-    return drawn(p, p->bite, p->phase == PAD_DRAW ? part_of(p) : 1.0, lowered);
+    return drawn(p, p->bite, p->drawn, lowered);
+}
+
+double pad_draw_step(const pad *p)
+{
+    const double seconds = pad_phase_time(p->bite, PAD_DRAW);
+    return smooth((p->since + PAD_STEP) / seconds) - smooth(p->since / seconds);
 }
 
 double pad_needle_turned(const pad *p)
@@ -156,18 +162,18 @@ static station at_needle(const pad *p, int which)
     return s;
 }
 
-static station wait_over(uint32_t bite, int which)
+static station wait_over(const pad *p, uint32_t bite, int which)
 {
     if (which == 0) {
-        return (station){over_site(bite), begin, vec3_zero(), retreat};
+        return (station){over_site(p, bite), begin, vec3_zero(), retreat};
     }
-    return (station){over_site(bite), over, vec3_make(-6e-3, 24e-3, 0.0), retreat};
+    return (station){over_site(p, bite), over, vec3_make(-6e-3, 24e-3, 0.0), retreat};
 }
 
-static station wait_beside(uint32_t bite, int which)
+static station wait_beside(const pad *p, uint32_t bite, int which)
 {
     const vec3 tip = which == 0 ? vec3_make(-10e-3, 8e-3, 0.0) : vec3_zero();
-    return (station){site(bite), driven, tip, retreat};
+    return (station){site(p, bite), driven, tip, retreat};
 }
 
 /* Jaws come and go along their shaft; other motions are before and after that. */
@@ -185,15 +191,15 @@ static station first_hand(const pad *p)
     const uint32_t next = p->bite + 1 < PAD_BITES ? p->bite + 1 : p->bite;
     switch (p->phase) {
     case PAD_OFFER:
-        return wait_over(p->bite, 0);
+        return wait_over(p, p->bite, 0);
     case PAD_APPROACH:
-        return mix(wait_over(p->bite, 0), at_needle(p, 0), part_of(p));
+        return mix(wait_over(p, p->bite, 0), at_needle(p, 0), part_of(p));
     case PAD_LEAVE:
-        return mix(at_needle(p, 0), wait_beside(p->bite, 0), part_of(p));
+        return mix(at_needle(p, 0), wait_beside(p, p->bite, 0), part_of(p));
     case PAD_TIGHTEN:
-        return mix(wait_beside(p->bite, 0), wait_over(next, 0), part_of(p));
+        return mix(wait_beside(p, p->bite, 0), wait_over(p, next, 0), part_of(p));
     default:
-        return p->phase < PAD_LEAVE ? at_needle(p, 0) : wait_beside(p->bite, 0);
+        return p->phase < PAD_LEAVE ? at_needle(p, 0) : wait_beside(p, p->bite, 0);
     }
 }
 
@@ -202,17 +208,17 @@ static station second_hand(const pad *p)
     const bool is_fresh = p->bite < FIRST_OFFERED;
     switch (p->phase) {
     case PAD_WITHDRAW:
-        return is_fresh ? wait_over(p->bite, 1)
-                        : mix(at_needle(p, 1), wait_over(p->bite, 1), part_of(p));
+        return is_fresh ? wait_over(p, p->bite, 1)
+                        : mix(at_needle(p, 1), wait_over(p, p->bite, 1), part_of(p));
     case PAD_LOWER:
     case PAD_DRIVE:
-        return wait_over(p->bite, 1);
+        return wait_over(p, p->bite, 1);
     case PAD_COME:
-        return mix(wait_over(p->bite, 1), wait_beside(p->bite, 1), part_of(p));
+        return mix(wait_over(p, p->bite, 1), wait_beside(p, p->bite, 1), part_of(p));
     case PAD_REACH:
-        return mix(wait_beside(p->bite, 1), at_needle(p, 1), part_of(p));
+        return mix(wait_beside(p, p->bite, 1), at_needle(p, 1), part_of(p));
     default:
-        return p->phase < PAD_WITHDRAW && is_fresh ? wait_over(p->bite, 1) : at_needle(p, 1);
+        return p->phase < PAD_WITHDRAW && is_fresh ? wait_over(p, p->bite, 1) : at_needle(p, 1);
     }
 }
 

@@ -9,6 +9,7 @@ static const char *const names[] = {"take the limb",
                                     "reach for the tail",
                                     "take the tail",
                                     "draw it through",
+                                    "back out of the turns",
                                     "lower the hands",
                                     "pull the throw tight",
                                     "ease",
@@ -84,6 +85,9 @@ static vbss_result lead(pad_tie *t, double dt)
         return tie_close(t, dt);
     case TIE_DRAW:
         return tie_draw(t, dt);
+    case TIE_BACK:
+        tie_back(t);
+        return VBSS_OK;
     case TIE_LOWER:
         tie_lower(t, dt);
         return VBSS_OK;

@@ -18,7 +18,8 @@ typedef enum tie_state {
     TIE_WIND,  /* and leads it round that tool's jaws */
     TIE_REACH, /* the jaws come to the tail, with the turns on them, */
     TIE_CLOSE, /* take it, */
-    TIE_DRAW,  /* and draw it through the turns */
+    TIE_DRAW,  /* and draw it through the turns, */
+    TIE_BACK,  /* or give it up, and back out of the turns, to have them wound anew */
     TIE_LOWER, /* both hands go low, the ends still slack */
     TIE_PULL,  /* both pull the throw tight */
     TIE_EASE,  /* both ease, and the tail is let go */
@@ -65,21 +66,25 @@ typedef struct pad_tie {
     uint32_t throws; /* tied */
     double side;     /* of the incision where the limb comes out: 1 for +x */
     vec3 stitch;     /* middle of it, on the skin, m */
+    vec3 off;        /* of the hands from where they should be, m */
     double since;    /* s in the state */
     tie_hand w,
         c; /* the tool that is wound about and draws the tail; the one that holds the limb */
     tie_thread thread;
     vbss_knot_detector *detector, *counter; /* of the bare thread; of its turns about the jaws */
     tie_knot knot;
-    double turned, begun;  /* rad, of the limb round the jaws; at the beginning */
-    double slack;          /* share of the limb's free length at which it is held */
-    double angle, leash;   /* of the tail about its root while it is drawn, rad, m */
-    vec3 lead_w, lead_c;   /* places that go ahead of hands which feel */
-    vec3 beside;           /* from the turns to the hand that goes with them */
-    double wanted, pulled; /* N, of the ends while they are pulled; s with that */
-    double gap;            /* between the lips at the stitch, m */
-    uint32_t tries;        /* to catch the tail */
-    double turns;          /* of the thread about the jaws */
+    double turned, begun; /* rad, of the limb round the jaws; at the beginning */
+    double slack;         /* share of the limb's free length at which it is held */
+    double angle, leash;  /* of the tail about its root while it is drawn, rad, m */
+    vec3 lead_w, lead_c;  /* places that go ahead of hands which feel */
+    vec3 beside;          /* from the turns to the hand that goes with them */
+    double wanted;        /* N, of the limb while the ends are pulled */
+    bool is_locking;      /* both ends are */
+    double pulled;        /* s, with what is wanted */
+    vec3 lips;            /* from the left to the right one at the stitch, m */
+    uint32_t pulls;       /* of the present throw */
+    uint32_t tries, anew; /* to catch the tail; to wind, in the present throw */
+    double turns;         /* of the thread about the jaws */
 } pad_tie;
 
 /* ---- tie_hand.c */
@@ -94,6 +99,8 @@ vec3 tie_limited(vec3 v, double limit);
 /* ---- tie_knot.c */
 /* Reads the knot of the thread without its tools; finds the roots of limb and tail. */
 vbss_result tie_judge(pad_tie *t);
+/* Goes on reading the tied knot from step to step: the order of its throws is known from before. */
+vbss_result tie_follow(pad_tie *t);
 /* How often the thread is wound about the jaws, with its sign. */
 vbss_result tie_count_turns(pad_tie *t, double *turns);
 
@@ -103,6 +110,9 @@ void tie_place(pad_tie *t);
 vbss_result tie_wind(pad_tie *t, double dt);
 void tie_reach(pad_tie *t, double dt);
 vbss_result tie_close(pad_tie *t, double dt);
+/* The throw has gone wrong before it was formed: it is wound anew, or given up if that was tried too often. */
+void tie_begin_anew(pad_tie *t, const char *why);
+void tie_back(pad_tie *t);
 
 /* ---- tie_pull.c: from then on */
 vbss_result tie_draw(pad_tie *t, double dt);

@@ -94,6 +94,15 @@ vbss_result tie_judge(pad_tie *t)
     return vbss_knot_detector_get_notation(t->detector, t->knot.notation, sizeof t->knot.notation);
 }
 
+vbss_result tie_follow(pad_tie *t)
+{
+    vbss_knot_input in;
+    VBSS_TRY(show(t, &in));
+    VBSS_TRY(vbss_knot_detector_step(t->detector, &in));
+    VBSS_TRY(vbss_knot_detector_get_state(t->detector, &t->knot.state, sizeof t->knot.state));
+    return vbss_knot_detector_get_notation(t->detector, t->knot.notation, sizeof t->knot.notation);
+}
+
 vbss_result tie_count_turns(pad_tie *t, double *turns)
 {
     vbss_knot_input in;

@@ -11,11 +11,15 @@ static const double behind = 2e-3 /* m, of the thread in jaws from their tip */,
                     light = 0.02 /* N: the limb while the tail is drawn */,
                     drawn = 0.15 /* N: the tail then */,
                     pull_height = 4e-3 /* m over the skin: hands that pull */,
-                    hitched = 0.1 /* N: the tail while the turns run down */, largest_pull = 0.8,
-                    locking = 0.5 /* N: both ends, without and with lips that touch */,
-                    kept = 0.4 /* s, with that */;
-/* The contact distance of lips is a fifth of the skin's 2 mm (docs/explanation/drain-contact.md), and some more. */
-static const double touching = 0.45e-3;
+                    hitched = 0.1 /* N: the tail while the turns run down */,
+                    locking = 0.5 /* N: the limb then, and after that both ends, */,
+                    harder = 0.3 /* N: more with each pull */, rising = 0.4 /* N/s */,
+                    kept = 0.4 /* s, with all that */,
+                    hanging = 3.0 /* s: a tail that is not through by then */;
+/* Lips that touch are a fifth of the skin's 2 mm apart (docs/explanation/drain-contact.md). Farther than this they have opened again. */
+static const double opened = 0.48e-3 /* m */;
+/* So often each throw is pulled, at most: until the last one the knot is held, and does not show whether it holds by itself. */
+static const uint32_t pulls[TIE_THROWS] = {1, 1, 4};
 
 static vec3 outward_of_w(const pad_tie *t)
 {
@@ -42,11 +46,11 @@ static void follow(pad_tie *t, double dt)
     tie_go(&t->c, t->lead_c, 0.15);
 }
 
-/* The tail is a leash of the hand that has it. */
-static void keep_on_leash(pad_tie *t, double limit, double dt)
+/* The tail is a leash of the hand that has it. `share`: of its length, how far the hand may go. */
+static void keep_on_leash(pad_tie *t, double limit, double share, double dt)
 {
     const tie_thread *s = &t->thread;
-    const double whole = 0.98 * tie_length(s, s->tail_root, t->w.node);
+    const double whole = share * tie_length(s, s->tail_root, t->w.node);
     t->leash += (t->w.tension > limit ? -0.03 : 0.01) * dt;
     t->leash = clamped(t->leash, 0.3 * whole, whole);
     const vec3 direction = vec3_make(-t->side * vbss_cosine(t->angle), vbss_sine(t->angle), 0.0);
@@ -64,10 +68,11 @@ vbss_result tie_draw(pad_tie *t, double dt)
     if (t->angle > 1.6) {
         tie_turn(&t->w, outward_of_w(t), t->w.across);
     }
-    keep_on_leash(t, drawn, dt);
+    /* a tail that hangs is pulled straight, and not only led */
+    keep_on_leash(t, drawn, t->since > hanging ? 1.1 : 0.98, dt);
     follow(t, dt);
     if (!t->w.holds) {
-        tie_fail(t, "the tail is lost");
+        tie_begin_anew(t, "the tail is lost");
         return VBSS_OK;
     }
     const double every = 0.1;
@@ -84,13 +89,24 @@ vbss_result tie_draw(pad_tie *t, double dt)
     }
     if (t->pulled > 0.35) {
         t->throws++;
+        t->anew = 0;
         VBSS_TRY(tie_judge(t));
         t->pulled = 0.0;
         tie_enter(t, TIE_LOWER);
-    } else if (t->since > 9.0) {
-        tie_fail(t, "the tail is not drawn through");
+    } else if (t->since > 7.0) {
+        tie_begin_anew(t, "the tail is not drawn through");
     }
     return VBSS_OK;
+}
+
+static void begin_pull(pad_tie *t)
+{
+    t->lead_w = t->w.tip;
+    t->lead_c = t->c.tip;
+    t->pulled = t->wanted = 0.0;
+    t->is_locking = false;
+    t->pulls++;
+    tie_enter(t, TIE_PULL);
 }
 
 /* Both hands come down beside the stitch, and nothing is taut yet. */
@@ -101,7 +117,7 @@ void tie_lower(pad_tie *t, double dt)
     const vec3 root = s->x[s->limb_root];
     tie_turn(&t->w, outward_of_w(t), t->w.across);
     t->angle = fmin(t->angle + 0.06 / t->leash * dt, PI * 173.0 / 180.0);
-    keep_on_leash(t, 0.05, dt);
+    keep_on_leash(t, 0.05, 0.98, dt);
     const double far = limb;
     const vec3 goal = vec3_make(root.x - far * t->side, pull_height, t->stitch.z);
     if (t->c.tension < 0.03) {
@@ -111,10 +127,8 @@ void tie_lower(pad_tie *t, double dt)
                0.05);
     }
     if ((t->angle >= PI * 172.0 / 180.0 && t->c.tip.y < 2.0 * pull_height) || t->since > 2.0) {
-        t->lead_w = t->w.tip;
-        t->lead_c = t->c.tip;
-        t->pulled = t->wanted = 0.0;
-        tie_enter(t, TIE_PULL);
+        t->pulls = 0;
+        begin_pull(t);
     }
 }
 
@@ -133,26 +147,19 @@ static void draw(tie_hand *h, vec3 *lead, vec3 to, double wanted, double dt)
 
 static vec3 beside(const pad_tie *t, double x)
 {
-    return vec3_add(t->stitch, vec3_make(x * t->side, pull_height, 0.0));
+    return vec3_add(vec3_add(t->stitch, t->off), vec3_make(x * t->side, pull_height, 0.0));
 }
 
-/* The limb runs straight to the knot, and the tail is hitched about it: so the turns run down to the skin, until the lips touch.
- * Then both ends bear the same, which locks the turns. Harder pulled the lips would slip over each other. */
+/* The limb runs straight to the knot, and the tail is hitched about it: so the turns run down to the skin. Then both ends bear the
+ * same, which locks the turns. */
 vbss_result tie_pull(pad_tie *t, double dt)
 {
-    const bool runs = t->pulled == 0.0;
-    if (runs) {
-        t->wanted = fmin(t->wanted + 0.4 * dt, largest_pull);
-    }
-    draw(&t->w, &t->lead_w, beside(t, 75e-3), runs ? hitched : t->wanted, dt);
+    const double most = locking + harder * (t->pulls - 1.0);
+    t->wanted = t->is_locking ? most : fmin(t->wanted + rising * dt, locking);
+    draw(&t->w, &t->lead_w, beside(t, 75e-3), t->is_locking ? most : hitched, dt);
     draw(&t->c, &t->lead_c, beside(t, -95e-3), t->wanted, dt);
-    if (runs) {
-        const bool is_shut = t->gap < touching && t->c.tension > 0.2;
-        t->pulled = is_shut || t->c.tension > 0.95 * largest_pull ? dt : 0.0;
-        t->wanted = is_shut ? fmax(t->c.tension, locking) : t->wanted;
-    } else if (fmin(t->w.tension, t->c.tension) > 0.9 * t->wanted) {
-        t->pulled += dt;
-    }
+    t->pulled += t->is_locking && fmin(t->w.tension, t->c.tension) > 0.9 * most ? dt : 0.0;
+    t->is_locking = t->is_locking || t->c.tension > 0.95 * locking;
     if (t->pulled > kept) {
         VBSS_TRY(tie_judge(t));
         tie_enter(t, TIE_EASE);
@@ -169,13 +176,23 @@ static void ease(tie_hand *h, vec3 *lead, vec3 knot, double dt)
     tie_go(h, *lead, 0.05);
 }
 
+/* The ends are slack, and the lips wider apart than they may be. */
+static bool is_pulled_again(const pad_tie *t)
+{
+    return t->pulls < pulls[t->throws - 1] && vec3_norm(t->lips) > opened;
+}
+
 vbss_result tie_ease(pad_tie *t, double dt)
 {
     if (t->since < 0.8) {
         ease(&t->w, &t->lead_w, t->stitch, dt);
         ease(&t->c, &t->lead_c, t->stitch, dt);
-        t->lead_w =
-            t->since + dt >= 0.8 ? vec3_add_scaled(t->w.tip, 25e-3, t->w.handle) : t->lead_w;
+        if (t->since + dt >= 0.8) {
+            t->lead_w = vec3_add_scaled(t->w.tip, 25e-3, t->w.handle);
+            if (is_pulled_again(t)) {
+                begin_pull(t);
+            }
+        }
         return VBSS_OK;
     }
     t->w.opening = 0.7;

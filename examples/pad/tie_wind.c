@@ -12,8 +12,8 @@ static const double behind = 2e-3, shallow = 0.7e-3 /* m, of the thread in jaws 
                     neck = 1.3e-3 /* m, radius of the jaws with thread about them */,
                     held = 66e-3 /* m, of the limb to where it is taken */,
                     beyond = 0.6 /* rad, that the limb is wound more than it need be */,
-                    taut = 0.04 /* N */;
-enum { FROM_END = 4 /* nodes, of the tail to where it is taken */, TRIES = 4 };
+                    taut = 0.04 /* N */, backing = 30e-3 /* m, of jaws out of turns */;
+enum { FROM_END = 4 /* nodes, of the tail to where it is taken */, TRIES = 4, ANEW = 2 };
 
 static double wraps(const pad_tie *t)
 {
@@ -35,7 +35,8 @@ static vec3 handle_of_c(const pad_tie *t)
 
 static vec3 place_of_w(const pad_tie *t)
 {
-    return vec3_add(t->stitch, vec3_make(-12e-3 * t->side, t->throws == 0 ? 34e-3 : 28e-3, 0.0));
+    const vec3 over = vec3_make(-12e-3 * t->side, t->throws == 0 ? 34e-3 : 28e-3, 0.0);
+    return vec3_add(vec3_add(t->stitch, over), t->off);
 }
 
 /* Where its tip is if its jaws hold at a place. */
@@ -141,7 +142,7 @@ vbss_result tie_wind(pad_tie *t, double dt)
     tie_go(&t->c, tip_for(&t->c, jaws), 0.3);
     if (end - t->turned > 1e-9) {
         if (t->since > 8.0) {
-            tie_fail(t, "winding takes too long");
+            tie_begin_anew(t, "winding takes too long");
         }
         return VBSS_OK;
     }
@@ -150,8 +151,35 @@ vbss_result tie_wind(pad_tie *t, double dt)
     t->turns = turns;
     t->tries = 0;
     t->beside = vec3_sub(t->c.tip, r.centre);
-    tie_enter(t, TIE_REACH);
+    if (fabs(turns) > wraps(t) - 0.5) {
+        tie_enter(t, TIE_REACH);
+    } else {
+        tie_begin_anew(t, "the turns have come off");
+    }
     return VBSS_OK;
+}
+
+void tie_begin_anew(pad_tie *t, const char *why)
+{
+    if (t->anew == ANEW) {
+        tie_fail(t, why);
+        return;
+    }
+    t->anew++;
+    t->lead_w = vec3_add_scaled(t->w.tip, backing, t->w.handle);
+    tie_enter(t, TIE_BACK);
+}
+
+void tie_back(pad_tie *t)
+{
+    t->w.opening = t->since < 0.8 ? 0.7 : 0.0;
+    if (t->since > 0.2) {
+        tie_go(&t->w, t->lead_w, 0.08);
+    }
+    if (t->since > 1.0) {
+        t->slack = 0.96;
+        tie_enter(t, TIE_PLACE);
+    }
 }
 
 /* ---- the tail is taken */
@@ -222,7 +250,7 @@ vbss_result tie_close(pad_tie *t, double dt)
     } else if (++t->tries < TRIES) {
         tie_enter(t, TIE_REACH);
     } else {
-        tie_fail(t, "the tail is not caught");
+        tie_begin_anew(t, "the tail is not caught");
     }
     return VBSS_OK;
 }
