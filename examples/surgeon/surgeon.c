@@ -189,11 +189,11 @@ static const char *notation_after(surgeon_stage stage)
     return stage == SURGEON_TIE ? "2" : stage == SURGEON_SECOND ? "2=1" : "2=1=1";
 }
 
-/* Wound anew, with a tail that winding has drawn in: it is drawn out first. Later throws hold theirs. */
+/* Wound anew, with a tail that winding has drawn in: as the coach asks, it is drawn out first. Later throws hold theirs. */
 static bool is_tail_drawn_in(surgeon *s)
 {
     const throw_run *t = &s->tie;
-    return s->stage == SURGEON_TIE && t->state == THROW_PLACE && t->since == 0.0 &&
+    return s->mends && s->stage == SURGEON_TIE && t->state == THROW_PLACE && t->since == 0.0 &&
            pull_tail(&s->stitch) < TAIL_SHORT;
 }
 
