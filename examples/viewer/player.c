@@ -12,10 +12,10 @@ static bool reported(const char *path, const char *what, const char *why)
 
 /* ---- opened */
 
-/* States of a session that coached, as a live one does, are only for one that coaches. */
+/* The states in a log are only for a session that coaches as the log's did: then there is nothing of the coach to show. */
 static vbss_result follow_task(player *p)
 {
-    const task_plan coached = {.coaching = true};
+    const task_plan silent = {.coaching = false};
     stage *s = &p->stage;
     TRY(stage_follow_task(s, p->replay));
     if (s->task.session == NULL || vbss_session_seek(s->task.session, 0) != VBSS_ERROR_CORRUPT) {
@@ -23,7 +23,7 @@ static vbss_result follow_task(player *p)
     }
     TRY(task_destroy(&s->task));
     TRY(vbss_replay_begin(p->replay, s->scene));
-    return task_create_as(&s->task, s->tasked, NULL, p->replay, &coached);
+    return task_create_as(&s->task, s->tasked, NULL, p->replay, &silent);
 }
 
 static vbss_result read_scene_time(const player *p, double *time)
