@@ -81,9 +81,10 @@ static void the_three_largest_are_named_in_order(void **state)
                               VBSS_SESSION_MISTAKE_BIGHT, VBSS_SESSION_MISTAKE_TAIL_DROPPED};
     const double seconds[] = {3.0, 9.0, 2.0, 6.0};
     vbss_session_event e[8];
-    for (int i = 0; i < 4; i++) {
-        add_event(&e[2 * i], 20.0 * i, VBSS_SESSION_EVENT_MISTAKE, kinds[i], 0);
-        add_event(&e[2 * i + 1], 20.0 * i + seconds[i], VBSS_SESSION_EVENT_MISTAKE, kinds[i], 1);
+    for (size_t i = 0; i < 4; i++) {
+        add_event(&e[2 * i], 20.0 * (double)i, VBSS_SESSION_EVENT_MISTAKE, kinds[i], 0);
+        add_event(&e[2 * i + 1], 20.0 * (double)i + seconds[i], VBSS_SESSION_EVENT_MISTAKE,
+                  kinds[i], 1);
     }
     const char *text = debrief(e, 8);
     const char *nine = strstr(text, "<strong>9 points</strong>"),
