@@ -29,6 +29,7 @@
 #define SPRUNG_THIRD 0.46e-3 /* that one comes to rest no tighter for it */
 /* A throw over a wider slit is pulled from behind. Pulled flat it locks, and the slit stays open. */
 #define OPEN 0.4e-3
+#define HARD 2.0 /* N, of a throw that is closed evenly over a wider one: it makes no half hitch */
 /* The last throw, if it was never shut under so much pull, N, or gapes that wide, m, since, is not seated, whatever it does eased. */
 #define SEATED 0.5
 #define GAPES 1e-3
@@ -165,11 +166,16 @@ static double since_when(bool is, double time, double dt)
     return is ? time + dt : 0.0;
 }
 
-/* As the hands begin to close the turn: a slit that is open then stays open if they pull flat. */
+/* As the hands begin to close the turn: a slit that is open then stays open if they pull flat, but for a third throw with both ends bent. */
 static void choose_direction(surgeon *s)
 {
     throw_plan *p = &s->tie.plan;
-    if (p->again && s->tie.state == THROW_LOWER && s->gap > OPEN) {
+    if (!p->again || s->tie.state != THROW_LOWER || s->gap <= OPEN) {
+        return;
+    }
+    if (p->even) {
+        p->pull = HARD;
+    } else {
         throw_plan_back(p);
     }
 }
