@@ -5,7 +5,7 @@
 
 enum { GRIP = 6 };               /* nodes from the knot to where it is held */
 static const double arm = 500.0; /* N/m: gives in by 0.1 mm at the 0.05 N that keep a throw shut */
-static const double arrived = 0.3; /* N, of the limb: the next throw has come down */
+static const double tight = 0.3; /* N, of the limb: the next throw has come down */
 
 static vbss_result hold(pad *p)
 {
@@ -27,5 +27,5 @@ vbss_result pad_hold_knot(pad *p, bool has_locked)
     if (!is_held && has_locked && t->throws < TIE_THROWS) {
         return hold(p);
     }
-    return is_held && t->state == TIE_PULL && t->c.tension > arrived ? let_go(p) : VBSS_OK;
+    return is_held && t->state == TIE_PULL && t->c.tension > tight ? let_go(p) : VBSS_OK;
 }

@@ -67,10 +67,10 @@ typedef struct pad_suture {
 
 /* A bite of the running suture is pulled tight. */
 typedef struct pad_tightening {
-    double wanted, most; /* of the thread; the first rises, N */
-    bool have_met;       /* the lips */
-    double easing;       /* s since they folded; 0: they have not */
-    double shut, waited; /* with the lips shut; beyond the script's time, s */
+    double wanted, largest; /* of the thread; the first rises, N */
+    bool have_met;          /* the lips */
+    double easing;          /* s since they folded; 0: they have not */
+    double shut, waited;    /* with the lips shut; beyond the script's time, s */
 } pad_tightening;
 
 typedef struct pad {

@@ -154,11 +154,11 @@ static vec3 beside(const pad_tie *t, double x)
  * same, which locks the turns. */
 vbss_result tie_pull(pad_tie *t, double dt)
 {
-    const double most = locking + harder * (t->pulls - 1.0);
-    t->wanted = t->is_locking ? most : fmin(t->wanted + rising * dt, locking);
-    draw(&t->w, &t->lead_w, beside(t, 75e-3), t->is_locking ? most : hitched, dt);
+    const double largest = locking + harder * (t->pulls - 1.0);
+    t->wanted = t->is_locking ? largest : fmin(t->wanted + rising * dt, locking);
+    draw(&t->w, &t->lead_w, beside(t, 75e-3), t->is_locking ? largest : hitched, dt);
     draw(&t->c, &t->lead_c, beside(t, -95e-3), t->wanted, dt);
-    t->pulled += t->is_locking && fmin(t->w.tension, t->c.tension) > 0.9 * most ? dt : 0.0;
+    t->pulled += t->is_locking && fmin(t->w.tension, t->c.tension) > 0.9 * largest ? dt : 0.0;
     t->is_locking = t->is_locking || t->c.tension > 0.95 * locking;
     if (t->pulled > kept) {
         VBSS_TRY(tie_judge(t));

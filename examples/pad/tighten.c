@@ -6,7 +6,7 @@
 static const double guiding = 0.15 /* N: while the thread is drawn, and the needle comes down */,
                     firm = 0.3 /* N, at least: less leaves thread slack behind its holes */,
                     slack = 0.05 /* N: folded lips come back */,
-                    most = 0.5 /* N, to close the lips */, rising = 0.4 /* N/s */,
+                    largest = 0.5 /* N, to close the lips */, rising = 0.4 /* N/s */,
                     speed = 60e-3 /* m/s */;
 /* Lips that touch are 0.40 mm apart, a fifth of the skin's thickness (docs/explanation/drain-contact.md). */
 static const double touching = 0.45e-3 /* m, across the incision */,
@@ -26,7 +26,7 @@ static void ease(pad *p, bool is_off)
 {
     pad_tightening *t = &p->tightening;
     if (is_off && t->easing == 0.0) {
-        t->most = less * fmax(p->tension, guiding);
+        t->largest = less * fmax(p->tension, guiding);
         t->easing = PAD_STEP;
     } else if (t->easing > 0.0 && !is_off && p->tension < guiding) {
         t->easing += PAD_STEP;
@@ -42,17 +42,17 @@ void pad_tighten(pad *p)
 {
     pad_tightening *t = &p->tightening;
     if (p->since == 0.0) {
-        *t = (pad_tightening){.most = most};
+        *t = (pad_tightening){.largest = largest};
     }
     const vec3 across = pad_across(p, pad_place(p->bite));
     const bool is_shut = fabs(across.x) < touching;
-    const double enough = fmin(firm, t->most);
+    const double enough = fmin(firm, t->largest);
     ease(p, t->have_met && vec3_norm(across) > folded);
     t->have_met = t->have_met || is_shut;
     if (p->since <= lowering || t->easing > 0.0) {
         t->wanted = t->easing > 0.0 ? slack : guiding;
     } else if (!is_shut || t->wanted < enough) {
-        t->wanted = fmin(t->wanted + rising * PAD_STEP, t->most);
+        t->wanted = fmin(t->wanted + rising * PAD_STEP, t->largest);
     }
     const bool is_firm = is_shut && t->wanted >= enough;
     t->shut = is_firm && t->easing == 0.0 ? t->shut + PAD_STEP : 0.0;
