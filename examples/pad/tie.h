@@ -19,7 +19,7 @@ typedef enum tie_state {
     TIE_REACH, /* the jaws come to the tail, with the turns on them, */
     TIE_CLOSE, /* take it, */
     TIE_DRAW,  /* and draw it through the turns, */
-    TIE_BACK,  /* or give it up, and back out of the turns, to have them wound anew */
+    TIE_BACK,  /* or give it up and back out of the turns: the limb is wound again */
     TIE_LOWER, /* both hands go low, the ends still slack */
     TIE_PULL,  /* both pull the throw tight */
     TIE_EASE,  /* both ease, and the tail is let go */
@@ -73,18 +73,18 @@ typedef struct pad_tie {
     tie_thread thread;
     vbss_knot_detector *detector, *counter; /* of the bare thread; of its turns about the jaws */
     tie_knot knot;
-    double turned, begun; /* rad, of the limb round the jaws; at the beginning */
-    double slack;         /* share of the limb's free length at which it is held */
-    double angle, leash;  /* of the tail about its root while it is drawn, rad, m */
-    vec3 lead_w, lead_c;  /* places that go ahead of hands which feel */
-    vec3 beside;          /* from the turns to the hand that goes with them */
-    double wanted;        /* N, of the limb while the ends are pulled */
-    bool is_locking;      /* both ends are */
-    double pulled;        /* s, with what is wanted */
-    vec3 lips;            /* from the left to the right one at the stitch, m */
-    uint32_t pulls;       /* of the present throw */
-    uint32_t tries, anew; /* to catch the tail; to wind, in the present throw */
-    double turns;         /* of the thread about the jaws */
+    double turned, begun;    /* rad, of the limb round the jaws; at the beginning */
+    double slack;            /* share of the limb's free length at which it is held */
+    double angle, leash;     /* of the tail about its root while it is drawn, rad, m */
+    vec3 lead_w, lead_c;     /* places that go ahead of hands which feel */
+    vec3 beside;             /* from the turns to the hand that goes with them */
+    double wanted;           /* N, of the limb while the ends are pulled */
+    bool is_locking;         /* both ends are */
+    double pulled;           /* s, with what is wanted */
+    vec3 lips;               /* from the left to the right one at the stitch, m */
+    uint32_t pulls;          /* of the present throw */
+    uint32_t tries, retries; /* to catch the tail; to wind, in the present throw */
+    double turns;            /* of the thread about the jaws */
 } pad_tie;
 
 /* ---- tie_hand.c */
@@ -110,8 +110,8 @@ void tie_place(pad_tie *t);
 vbss_result tie_wind(pad_tie *t, double dt);
 void tie_reach(pad_tie *t, double dt);
 vbss_result tie_close(pad_tie *t, double dt);
-/* The throw has gone wrong before it was formed: it is wound anew, or given up if that was tried too often. */
-void tie_begin_anew(pad_tie *t, const char *why);
+/* The throw has gone wrong before it was formed: it is wound again, or given up if that was tried too often. */
+void tie_retry(pad_tie *t, const char *why);
 void tie_back(pad_tie *t);
 
 /* ---- tie_pull.c: from then on */

@@ -72,7 +72,7 @@ vbss_result tie_draw(pad_tie *t, double dt)
     keep_on_leash(t, drawn, t->since > hanging ? 1.1 : 0.98, dt);
     follow(t, dt);
     if (!t->w.holds) {
-        tie_begin_anew(t, "the tail is lost");
+        tie_retry(t, "the tail is lost");
         return VBSS_OK;
     }
     const double every = 0.1;
@@ -89,12 +89,12 @@ vbss_result tie_draw(pad_tie *t, double dt)
     }
     if (t->pulled > 0.35) {
         t->throws++;
-        t->anew = 0;
+        t->retries = 0;
         VBSS_TRY(tie_judge(t));
         t->pulled = 0.0;
         tie_enter(t, TIE_LOWER);
     } else if (t->since > 7.0) {
-        tie_begin_anew(t, "the tail is not drawn through");
+        tie_retry(t, "the tail is not drawn through");
     }
     return VBSS_OK;
 }

@@ -13,7 +13,7 @@ static const double behind = 2e-3, shallow = 0.7e-3 /* m, of the thread in jaws 
                     held = 66e-3 /* m, of the limb to where it is taken */,
                     beyond = 0.6 /* rad, that the limb is wound more than it need be */,
                     taut = 0.04 /* N */, backing = 30e-3 /* m, of jaws out of turns */;
-enum { FROM_END = 4 /* nodes, of the tail to where it is taken */, TRIES = 4, ANEW = 2 };
+enum { FROM_END = 4 /* nodes, of the tail to where it is taken */, TRIES = 4, RETRIES = 2 };
 
 static double wraps(const pad_tie *t)
 {
@@ -142,7 +142,7 @@ vbss_result tie_wind(pad_tie *t, double dt)
     tie_go(&t->c, tip_for(&t->c, jaws), 0.3);
     if (end - t->turned > 1e-9) {
         if (t->since > 8.0) {
-            tie_begin_anew(t, "winding takes too long");
+            tie_retry(t, "winding takes too long");
         }
         return VBSS_OK;
     }
@@ -154,18 +154,18 @@ vbss_result tie_wind(pad_tie *t, double dt)
     if (fabs(turns) > wraps(t) - 0.5) {
         tie_enter(t, TIE_REACH);
     } else {
-        tie_begin_anew(t, "the turns have come off");
+        tie_retry(t, "the turns have come off");
     }
     return VBSS_OK;
 }
 
-void tie_begin_anew(pad_tie *t, const char *why)
+void tie_retry(pad_tie *t, const char *why)
 {
-    if (t->anew == ANEW) {
+    if (t->retries == RETRIES) {
         tie_fail(t, why);
         return;
     }
-    t->anew++;
+    t->retries++;
     t->lead_w = vec3_add_scaled(t->w.tip, backing, t->w.handle);
     tie_enter(t, TIE_BACK);
 }
@@ -250,7 +250,7 @@ vbss_result tie_close(pad_tie *t, double dt)
     } else if (++t->tries < TRIES) {
         tie_enter(t, TIE_REACH);
     } else {
-        tie_begin_anew(t, "the tail is not caught");
+        tie_retry(t, "the tail is not caught");
     }
     return VBSS_OK;
 }

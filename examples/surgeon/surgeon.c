@@ -189,7 +189,7 @@ static const char *notation_after(surgeon_stage stage)
     return stage == SURGEON_TIE ? "2" : stage == SURGEON_SECOND ? "2=1" : "2=1=1";
 }
 
-/* Wound anew, with a tail that winding has drawn in: as the coach asks, it is drawn out first. Later throws hold theirs. */
+/* The tail has been drawn in by winding. Before the limb is wound again it is drawn out, as the coach asks. In later throws the knot holds it. */
 static bool is_tail_drawn_in(surgeon *s)
 {
     const throw_run *t = &s->tie;

@@ -142,8 +142,8 @@ static void lead_thread(surgeon *s)
 static bool is_led(const surgeon *s)
 {
     const throw_run *t = &s->tie;
-    const bool anew = t->retries > 0 || s->lengthen.state != LENGTHEN_NOT;
-    return t->state <= THROW_CHECK && !t->unwinds && (s->stage != SURGEON_TIE || anew);
+    const bool is_retry = t->retries > 0 || s->lengthen.state != LENGTHEN_NOT;
+    return t->state <= THROW_CHECK && !t->unwinds && (s->stage != SURGEON_TIE || is_retry);
 }
 
 /* Above its jaws, so that they can go low. */
@@ -228,8 +228,8 @@ static vbss_result watch_below(surgeon *s)
     return VBSS_OK;
 }
 
-/* C has hooked the limb, and draws the thread through the drain. One whom nobody tells to draw the tail out again winds on: 4 mm have been
- * enough. */
+/* C has hooked the limb and draws the thread through the drain. Without a coach, who asks for the tail to be drawn out again, the hands wind
+ * on: a tail of 4 mm has been enough. */
 static void watch_tail(surgeon *s)
 {
     const bool winds = s->tie.state == THROW_ORBIT && s->stage == SURGEON_TIE;
