@@ -80,7 +80,7 @@ typedef struct pad_tie {
     vec3 beside;             /* from the turns to the hand that goes with them */
     double wanted;           /* N, of the limb while the ends are pulled */
     bool is_locking;         /* both ends are */
-    double pulled;           /* s, with what is wanted */
+    double pulled;           /* s, since both ends bear the wanted force */
     vec3 lips;               /* from the left to the right one at the stitch, m */
     uint32_t pulls;          /* of the present throw */
     uint32_t tries, retries; /* to catch the tail; to wind, in the present throw */
