@@ -27,8 +27,6 @@
 #define BORNE 1.5   /* s: after that time on the fork the right wall is at rest */
 #define BUMPS \
     1.5 /* N: felt on the way to the mark, more than that means that the needle is at the other tool */
-#define NEARER \
-    0.05 /* m, by which the left shaft comes from farther on the near side after a failed try */
 #define MISSED 6e-3 /* of the tip beyond the right mark without a hole; it enters at 2 to 3 mm */
 #define SQUARE \
     0.75 /* cosine between needle and wall, beyond which the needle was square to it once; */
@@ -200,12 +198,14 @@ static void enter_support(stitch *t, stitch_support support)
     t->support_since = 0.0;
 }
 
-/* The fork goes over the slit and in again, from farther on the near side, where its shaft is not in the needle's way. */
+/* The fork goes over the slit and in again, from farther on the near side, where its shaft is not in the needle's way; not always as far,
+ * since from very far its jaws go over the slit's edge. */
 static void set_fork_again(stitch *t)
 {
+    static const double nearer[TRIES] = {0.025, 0.05, 0.0125, 0.0375}; /* m */
     hand_target(&t->left, t->left.nature.target_end);
     if (t->left_is_free) {
-        hand_through(&t->left, v_along(STITCH_LEFT_TROCAR, -NEARER, v3(0.0, 1.0, 0.0)));
+        hand_through(&t->left, v_along(STITCH_LEFT_TROCAR, -nearer[t->forked], v3(0.0, 1.0, 0.0)));
     }
     enter_support(t, SUPPORT_OVER);
     if (++t->forked == TRIES) {
