@@ -48,13 +48,14 @@ void surgeon_plan_later(const surgeon *s, double limb, throw_plan *plan)
     plan->light = plan->drawn = ALIKE;
     plan->low = LOW;
     plan->far = FAR;
-    /* The second leaves the first as it is while its tail is raised. If the slit is open all the same, before or after, it is pulled
-     * from where the first was (tie.c). The third is pulled its own way, which is the first one's, too. */
+    /* The second leaves the first as it is while its tail is raised, and is then pulled flat: closed alone, it opens as the tail is
+     * straightened and drawn through the third. If the slit is open all the same, before or after, it is pulled from where the first was
+     * (tie.c). The third is pulled its own way, which is the first one's, too. */
     plan->catches = CATCHES;
     plan->minds = plan->backs_off = SURGEON_MINDS;
     plan->retries = RETRIES;
     plan->again = !kept;
-    plan->raised = !kept && !third;
+    plan->raised = plan->flat = !kept && !third;
     plan->down = true;
     plan->even = !kept && third;
     plan->askew = kept ? ASKEW : 0.0;

@@ -161,13 +161,13 @@ static vec outward(const throw_run *t, double x)
     return v3(x + (x > 0.0 ? t->plan.far : -t->plan.far), 0.0, -t->plan.low);
 }
 
-/* The tail was drawn through straight, and the limb lies about it: pulled like that, the throw is a half hitch, and draws the tail out of the
- * bends of the throws below, too. W gives until the tail bends as well, while C draws the turn down. */
+/* The tail was drawn through straight, and the limb lies about it: pulled like that, the throw is a half hitch. W gives until the tail bends as
+ * well, while C draws the turn down. Given on top of a tight throw, what it gives opens that one. */
 static bool is_even(throw_run *t, double dt)
 {
     senses *s = t->see;
     const vec to_root = v_sub(steer_tail_root(t), s->tool_w.tip);
-    if (t->slip < -BENDS && s->tension_w > NO_PULL && v_length(to_root) > NEAREST) {
+    if (t->plan.gives && t->slip < -BENDS && s->tension_w > NO_PULL && v_length(to_root) > NEAREST) {
         t->carrot_w = v_along(t->carrot_w, GIVING * dt, v_unit(to_root));
     } else if (t->slip > BENDS) {
         t->carrot_w = v_along(t->carrot_w, -GIVING * dt, v_unit(to_root));
@@ -184,7 +184,7 @@ static bool is_even(throw_run *t, double dt)
 /* Share of what C pulls with, that W does: what bears more becomes straight. */
 static double share_of_w(const throw_run *t)
 {
-    return t->plan.even ? clamp(1.0 + 2.0 * (t->slip + 0.5 * BENDS), 0.3, 1.0) : 1.0;
+    return t->plan.gives ? clamp(1.0 + 2.0 * (t->slip + 0.5 * BENDS), 0.3, 1.0) : 1.0;
 }
 
 /* Both hands are low on either side, the tail is straight, and C draws the limb round it: the turn runs down to the throw below.
@@ -420,6 +420,10 @@ void throw_seated(throw_run *t)
         begin_square(t);
         return;
     }
+    if (t->plan.flat) {
+        throw_pull_evenly(t);
+        return;
+    }
     t->clear = 0.0;
     throw_enter(t, t->plan.again ? THROW_PART : THROW_DONE);
 }
@@ -432,7 +436,7 @@ bool throw_is_slack(const throw_run *t)
 void throw_plan_back(throw_plan *p)
 {
     p->back = true;
-    p->raised = p->down = p->even = false;
+    p->raised = p->flat = p->down = p->even = p->gives = false;
     p->pull = FULL;
 }
 
@@ -447,8 +451,8 @@ void throw_pull_again(throw_run *t)
 
 void throw_pull_evenly(throw_run *t)
 {
-    t->plan.back = t->plan.raised = false;
-    t->plan.down = t->plan.even = true;
+    t->plan.back = t->plan.raised = t->plan.flat = false;
+    t->plan.down = t->plan.even = t->plan.gives = true;
     t->plan.pull = FULL;
     t->closed = 0.0;
     begin_seat(t);
