@@ -4,7 +4,6 @@
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdint.h>
-#include <string.h>
 
 #include <cmocka.h>
 
@@ -42,7 +41,7 @@ static void any_rotation(uint64_t *random, double q[4])
 
 static bool is_same(const double a[4], const double b[4])
 {
-    return memcmp(a, b, 4 * sizeof *a) == 0;
+    return a[0] == b[0] && a[1] == b[1] && a[2] == b[2] && a[3] == b[3];
 }
 
 static void reflections_are_involutions(void **state)
