@@ -18,13 +18,16 @@ vbss_result ghost_observe(const stitch *t, vbss_session *session, ghost_seen *se
                           ghost_pose tools[GHOST_SIDES])
 {
     vbss_session_status status;
+    const bool mirrored = t->site.rig.mirrored;
     const pose needle = site_needle(&t->site);
     TRY(vbss_session_get_status(session, &status, sizeof status));
     seen->phase = status.phase;
-    v_store(seen->scene.needle, needle.at);
-    memcpy(seen->scene.needle + 3, needle.q, sizeof needle.q);
-    v_store(seen->scene.marks[0], site_mark(&t->site, SITE_LEFT));
-    v_store(seen->scene.marks[1], site_mark(&t->site, SITE_RIGHT));
-    TRY(observe_tool(t->left.grasper, seen->tips[0], &tools[0]));
-    return observe_tool(t->right.grasper, seen->tips[1], &tools[1]);
+    v_store(seen->scene.needle, mirror_vec(mirrored, needle.at));
+    mirror_needle(mirrored, needle.q, seen->scene.needle + 3);
+    for (int side = 0; side < 2; side++) {
+        const vec mark = site_mark(&t->site, mirror_side(mirrored, side));
+        v_store(seen->scene.marks[side], mirror_vec(mirrored, mark));
+        TRY(observe_tool(stitch_hand(t, side)->grasper, seen->tips[side], &tools[side]));
+    }
+    return VBSS_OK;
 }

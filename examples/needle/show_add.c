@@ -33,7 +33,7 @@ static bool add_drain(painter *p, const site *s)
                                       (size_t)triangles.count, PAINTER_TISSUE) == PAINTER_OK;
     for (int side = 0; good && side < 2; side++) {
         double at[3];
-        v_store(at, site_mark(s, side));
+        v_store(at, mirror_vec(s->rig.mirrored, site_mark(s, side)));
         good = painter_add_capsule(p, at, at, 0.6e-3, PAINTER_BLUE) == PAINTER_OK;
     }
     return good;
@@ -54,5 +54,6 @@ static bool add_needle(painter *p, const site *s)
 bool show_add(painter *p, const stitch *t)
 {
     return add_floor(p, &t->site) && add_drain(p, &t->site) && add_needle(p, &t->site) &&
-           add_tool(p, &t->left, PAINTER_GREEN) && add_tool(p, &t->right, PAINTER_YELLOW);
+           add_tool(p, stitch_hand(t, SITE_LEFT), PAINTER_GREEN) &&
+           add_tool(p, stitch_hand(t, SITE_RIGHT), PAINTER_YELLOW);
 }

@@ -49,7 +49,7 @@ static vbss_result add_drain(site *s, const site_plan *plan)
                : vbss_scene_add_drain(s->rig.scene, s->drain, &s->drain_body);
 }
 
-/* It lies so that turning it clockwise, as seen from above, drives its tip. */
+/* It lies so that turning it clockwise, as seen from above, drives its tip, and counterclockwise if it is mirrored. */
 static vbss_result add_needle(site *s, vec place, double turn, const site_plan *plan)
 {
     vbss_needle_config c;
@@ -59,10 +59,9 @@ static vbss_result add_needle(site *s, vec place, double turn, const site_plan *
     s->wire = c.wire_radius;
     c.gravity[2] = GRAVITY;
     place.z = s->floor + c.wire_radius;
-    v_store(c.position, place);
-    c.orientation[0] = 0.0;
-    c.orientation[1] = vbss_cos(0.5 * turn);
-    c.orientation[2] = vbss_sin(0.5 * turn);
+    const double turned[4] = {0.0, vbss_cos(0.5 * turn), vbss_sin(0.5 * turn), 0.0};
+    v_store(c.position, mirror_vec(plan->mirrored, place));
+    mirror_needle(plan->mirrored, turned, c.orientation);
     TRY(vbss_needle_create(s->rig.context, &c, &s->needle));
     return (plan->without & SITE_NO_NEEDLE) != 0
                ? VBSS_OK
@@ -112,6 +111,7 @@ static vbss_result add_thread(site *s, const site_plan *plan)
 vbss_result site_create(site *s, vec place, double turn, const site_plan *plan)
 {
     memset(s, 0, sizeof *s);
+    s->rig.mirrored = plan->mirrored;
     TRY(vbss_context_create(NULL, &s->rig.context));
     TRY(add_drain(s, plan));
     TRY(add_needle(s, place, turn, plan));
@@ -124,7 +124,9 @@ pose site_needle(const site *s)
 {
     vbss_needle_state now;
     (void)vbss_needle_get_state(s->needle, &now, sizeof now);
-    return pose_load(now.position, now.orientation);
+    pose p = {.at = mirror_vec(s->rig.mirrored, v_load(now.position))};
+    mirror_needle(s->rig.mirrored, now.orientation, p.q);
+    return p;
 }
 
 vec site_outward(const site *s, double arc_length)
@@ -145,14 +147,19 @@ static const vec *view_of(const site *s, vbss_drain_field field)
     return vbss_drain_get_view(s->drain, field, &view, sizeof view) == VBSS_OK ? view.data : NULL;
 }
 
+static uint32_t mark_of(const site *s, int side)
+{
+    return s->places.marks[mirror_side(s->rig.mirrored, side)];
+}
+
 vec site_mark(const site *s, int side)
 {
-    return view_of(s, VBSS_DRAIN_VIEW_POSITIONS)[s->places.marks[side]];
+    return mirror_vec(s->rig.mirrored, view_of(s, VBSS_DRAIN_VIEW_POSITIONS)[mark_of(s, side)]);
 }
 
 static vec rest(const site *s, int side)
 {
-    return view_of(s, VBSS_DRAIN_VIEW_REST_POSITIONS)[s->places.marks[side]];
+    return view_of(s, VBSS_DRAIN_VIEW_REST_POSITIONS)[mark_of(s, side)];
 }
 
 static vec out_of_drain(vec v)
@@ -162,20 +169,21 @@ static vec out_of_drain(vec v)
 
 vec site_mark_at_rest(const site *s, int side)
 {
-    vec x = out_of_drain(rest(s, side));
+    vec x = mirror_vec(s->rig.mirrored, out_of_drain(rest(s, side)));
     return v3(x.x, x.y, x.z - s->tube - 0.5 * s->wall);
 }
 
 vec site_normal_at_rest(const site *s, int side)
 {
     vec x = rest(s, side);
-    return v_unit(out_of_drain(v3(0.0, x.y, x.z)));
+    return mirror_vec(s->rig.mirrored, v_unit(out_of_drain(v3(0.0, x.y, x.z))));
 }
 
 bool site_find_hole(const site *s, uint32_t id, vbss_scene_hole *hole)
 {
     for (uint32_t i = 0; vbss_scene_get_hole(s->rig.scene, i, hole, sizeof *hole) == VBSS_OK; i++) {
         if (hole->id == id) {
+            v_store(hole->position, mirror_vec(s->rig.mirrored, v_load(hole->position)));
             return true;
         }
     }
@@ -187,7 +195,7 @@ vec site_normal(const site *s, int side)
     vbss_view view;
     const vec *x = view_of(s, VBSS_DRAIN_VIEW_POSITIONS);
     vec sum = v3(0.0, 0.0, 0.0);
-    uint32_t mark = s->places.marks[side];
+    uint32_t mark = mark_of(s, side);
     if (vbss_drain_get_view(s->drain, VBSS_DRAIN_VIEW_TRIANGLES, &view, sizeof view) != VBSS_OK) {
         return sum;
     }
@@ -198,7 +206,7 @@ vec site_normal(const site *s, int side)
             sum = v_add(sum, v_cross(a, b)); /* by its size */
         }
     }
-    return v_unit(sum);
+    return mirror_vec(s->rig.mirrored, v_unit(sum));
 }
 
 double site_deviation(const site *s, const vbss_scene_hole *hole, int side)

@@ -34,10 +34,11 @@ typedef struct site_plan {
     uint32_t segments;                 /* of the thread */
     const vbss_solver_options *solver; /* NULL: the defaults */
     uint32_t without;                  /* SITE_NO_ bits; who stitches needs it all */
+    bool mirrored;                     /* who stitches is left-handed (throw/mirror.h) */
     site_material material;
 } site_plan;
 
-/* Needle's middle on the floor, and how far it is turned there. */
+/* Needle's middle on the floor, and how far it is turned there; mirrored, if the plan says so, as all is that the hands look at. */
 vbss_result site_create(site *s, vec place, double turn, const site_plan *plan);
 
 pose site_needle(const site *s);
@@ -50,7 +51,7 @@ vec site_mark_at_rest(const site *s, int side);
 vec site_normal_at_rest(const site *s, int side);
 /* As it is. */
 vec site_normal(const site *s, int side);
-/* The hole of that id; false: there is none (any longer). */
+/* The hole of that id, its position as the hands see it; false: there is none (any longer). */
 bool site_find_hole(const site *s, uint32_t id, vbss_scene_hole *hole);
 /* How far a hole is from a mark on the cylinder, m. */
 double site_deviation(const site *s, const vbss_scene_hole *hole, int side);

@@ -53,6 +53,11 @@ const char *stitch_name(stitch_state state)
     return names[state];
 }
 
+const hand *stitch_hand(const stitch *t, int side)
+{
+    return mirror_side(t->site.rig.mirrored, side) == SITE_LEFT ? &t->left : &t->right;
+}
+
 /* ---- the right tool with the needle in it */
 
 static pose grip(const site *s)

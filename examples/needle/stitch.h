@@ -39,7 +39,7 @@ typedef enum stitch_support {
 
 typedef struct stitch {
     site site;
-    hand right, left;
+    hand right, left;  /* the one that drives, and the other; of a left-handed, in the mirror */
     bool left_is_free; /* of a trocar */
     stitch_state state;
     stitch_support support;
@@ -90,6 +90,8 @@ vbss_result stitch_observe(stitch *t);
 /* Mends a mistake at the first wall: withdraws the needle or, if it is out, brings it to the mark again. */
 void stitch_mend(stitch *t);
 const char *stitch_name(stitch_state state);
+/* Whose tool is at that side of the scene. */
+const hand *stitch_hand(const stitch *t, int side);
 /* stitch_judge.c. How far either hole is from its mark, m (below 0: there is none); true: the needle went through both walls, once
  * each and near their marks. */
 bool stitch_is_through(const stitch *t, double off[2]);

@@ -238,7 +238,8 @@ vbss_result facts_observe_session(facts *f, stage *s)
         TRY(vbss_session_get_event(s->task.session, i, &t->events[t->count], sizeof *t->events));
         t->count++;
     }
-    if (f->tools[LEFT] != s->tasked->left.body || f->tools[RIGHT] != s->tasked->right.body) {
+    if (f->tools[LEFT] != stitch_hand(s->tasked, SITE_LEFT)->body ||
+        f->tools[RIGHT] != stitch_hand(s->tasked, SITE_RIGHT)->body) {
         return VBSS_OK;
     }
     t->measured = true;

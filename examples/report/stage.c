@@ -12,7 +12,7 @@
 enum { MAX_WORDS = 96 };
 
 /* "vbss throw surgeons seed 2" and nothing else; "vbss surgeon seed 2", whose kind is empty, or "vbss surgeon 120 seed 2", whose
- * thread has so many segments. */
+ * thread has so many segments, or "vbss surgeon left seed 2", who is left-handed. */
 typedef struct words {
     char program[16], kind[32];
     unsigned long seed;
@@ -52,9 +52,15 @@ static uint32_t segments_of(const words *w)
     return strcmp(w->kind, "120") == 0 ? 120 : strcmp(w->kind, "60") == 0 ? 60 : 0;
 }
 
+static bool is_left_handed(const words *w)
+{
+    return strcmp(w->kind, "left") == 0;
+}
+
 static bool is_surgeon(const words *w)
 {
-    return strcmp(w->program, "surgeon") == 0 && (w->kind[0] == '\0' || segments_of(w) > 0);
+    return strcmp(w->program, "surgeon") == 0 &&
+           (w->kind[0] == '\0' || segments_of(w) > 0 || is_left_handed(w));
 }
 
 static bool is_exercise(const words *w)
@@ -94,8 +100,8 @@ static vbss_result make_throw(stage *s, const words *w)
 
 static void show_stitch(stage *s, const stitch *t)
 {
-    s->graspers[LEFT] = t->left.grasper;
-    s->graspers[RIGHT] = t->right.grasper;
+    s->graspers[LEFT] = stitch_hand(t, SITE_LEFT)->grasper;
+    s->graspers[RIGHT] = stitch_hand(t, SITE_RIGHT)->grasper;
     s->drain = t->site.drain;
     s->tube = t->site.tube;
     s->needle = t->site.needle_body;
@@ -106,7 +112,8 @@ static const char surgeon_name[] = "a scripted surgeon (examples/surgeon)";
 static vbss_result make_stitch(stage *s, const words *w)
 {
     static stitch t;
-    const surgeon_options usual = {.seed = w->seed, .segments = segments_of(w)};
+    const surgeon_options usual = {
+        .seed = w->seed, .segments = segments_of(w), .left_handed = is_left_handed(w)};
     stitch_plan plan;
     memset(&t, 0, sizeof t);
     s->rig = &t.site.rig;

@@ -23,12 +23,12 @@ static const key keys[] = {
      0.05},
     {SURGEON_TIE, VIEW_DRAIN, "near", "2-tail-set",
      "the thread is drawn through, the tail is short", 0.06},
-    {SURGEON_TIE, VIEW_W, "tail", "3-double-wrap", "the limb is wound twice round the left tool",
+    {SURGEON_TIE, VIEW_W, "tail", "3-double-wrap", "the limb is wound twice round the other tool",
      0.05},
     {SURGEON_TIE, VIEW_SLIT, "lower", "4-throw-1-drawn-through", "the double throw", 0.06},
     {SURGEON_OVER, VIEW_SLIT, "ease", "5-throw-1-tight", "the double throw is pulled tight", 0.025},
     {SURGEON_SECOND, VIEW_DRAIN, "near", "6-needle-changed-hands",
-     "the left tool has taken the needle over", 0.16},
+     "the other tool has taken the needle over", 0.16},
     {SURGEON_SECOND, VIEW_SLIT, "lower", "7-throw-2-drawn-through", "the second throw", 0.06},
     {SURGEON_BACK, VIEW_SLIT, "ease", "8-throw-2-tight", "the second throw is pulled tight", 0.025},
     {SURGEON_THIRD, VIEW_SLIT, "lower", "9-throw-3-drawn-through", "the third throw", 0.06},
@@ -39,7 +39,7 @@ static const key keys[] = {
 /* The tool that is wound about, above all else; what lies on the slit. */
 static vec middle_of(const surgeon *s, view_target at)
 {
-    return at == VIEW_W      ? s->stitch.left.at
+    return at == VIEW_W      ? mirror_vec(s->stitch.site.rig.mirrored, s->stitch.left.at)
            : at == VIEW_SLIT ? v3(0.0, 0.0, 0.0)
                              : v3(0.0, 0.0, 5e-3);
 }

@@ -6,6 +6,7 @@
  *             [-k expert|resident|novice: whose hands] [--mend: the mistake is mended when the coach says so]
  *             [-m withdrawn|missed|torn|idle|slack|kept|granny|handle|counter|bight|dropped|one-sided: a mistake]
  *             [-a folder for pictures of the key stages] [--calibrate] [--coach: its sentences, too]
+ *             [--left: left-handed, all in the mirror]
  *             [-x bending|friction|yield|hardening=number, of the thread: EI in N m^2, with itself, 1/m, fraction of EI]
  *
  * With --calibrate both budgets are those of this core, so a seed does not do the same everywhere.
@@ -29,7 +30,7 @@ static int usage(void)
                     "expert|resident|novice] [-m mistake] [--mend] "
                     "[-a folder for the "
                     "key stages] [-x bending|friction|yield|hardening=number] [--calibrate] "
-                    "[--coach] [-v]\n");
+                    "[--coach] [--left: left-handed] [-v]\n");
     return 2;
 }
 
@@ -96,6 +97,10 @@ static bool read_options(int count, char **words, watch *w, tally *t, bool *whol
         }
         if (strcmp(word, "--mend") == 0) {
             w->options.mends = true;
+            continue;
+        }
+        if (strcmp(word, "--left") == 0) {
+            w->options.left_handed = true;
             continue;
         }
         if (strcmp(word, "-v") == 0) {

@@ -9,6 +9,7 @@ void surgeon_plan(const surgeon_options *o, stitch_plan *plan)
 {
     *plan = (stitch_plan){.site = {.segments = o->segments > 0 ? o->segments : SEGMENTS,
                                    .solver = o->solver,
+                                   .mirrored = o->left_handed,
                                    .material = o->material},
                           .free_left = true,
                           .skill = o->skill};

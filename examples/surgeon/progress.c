@@ -43,8 +43,9 @@ void watch_progress(watch *w, const surgeon *s, bool enters)
     words_of_knot(w, knot);
     printf("%s%7.2f%8.2f  %-7s %-10s%9.2f%9.2f%10.2f  %-*s%s", again ? "\r" : "", time,
            watch_wall_clock() - w->began, surgeon_stage_name(s->stage), surgeon_doing(s),
-           watch_feels(&s->stitch.left), watch_feels(&s->stitch.right), MILLI * s->gap,
-           again ? 32 : 0, knot, again && !enters ? "" : "\n");
+           watch_feels(stitch_hand(&s->stitch, SITE_LEFT)),
+           watch_feels(stitch_hand(&s->stitch, SITE_RIGHT)), MILLI * s->gap, again ? 32 : 0, knot,
+           again && !enters ? "" : "\n");
     fflush(stdout);
     w->reported = time;
 }

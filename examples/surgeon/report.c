@@ -179,7 +179,8 @@ static void report_knot(const watch *w)
 
 static void report_counts(const watch *w, const surgeon *s)
 {
-    const hand *hands[2] = {&s->stitch.left, &s->stitch.right};
+    const hand *hands[2] = {stitch_hand(&s->stitch, SITE_LEFT),
+                            stitch_hand(&s->stitch, SITE_RIGHT)};
     static const char *const names[2] = {"left device", "right device"};
     vbss_scene_statistics c;
     if (vbss_scene_get_statistics(s->stitch.site.rig.scene, &c, sizeof c) == VBSS_OK) {

@@ -30,7 +30,8 @@ vbss_result surgeon_create(surgeon *s, const surgeon_options *o)
     if (o->mistake == SURGEON_MISSED) {
         s->stitch.beside = BESIDE;
     }
-    snprintf(note, sizeof note, "vbss surgeon seed %lu", (unsigned long)o->seed);
+    snprintf(note, sizeof note, "vbss surgeon %sseed %lu", o->left_handed ? "left " : "",
+             (unsigned long)o->seed);
     return throw_rig_begin(&s->stitch.site.rig, o->log, note);
 }
 

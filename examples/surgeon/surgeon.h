@@ -64,9 +64,10 @@ typedef struct surgeon_options {
     const vbss_solver_options *solver; /* NULL: the defaults */
     const hand_skill *skill;           /* NULL: an expert's */
     surgeon_mistake mistake;
-    bool mends;      /* it is mended when the coach says so */
-    bool coaching;   /* the session coaches; with a mistake it does in any case */
-    const char *log; /* may be NULL */
+    bool mends;       /* it is mended when the coach says so */
+    bool coaching;    /* the session coaches; with a mistake it does in any case */
+    bool left_handed; /* all in the mirror: the left hand drives, from the left mark */
+    const char *log;  /* may be NULL */
     site_material material;
 } surgeon_options;
 

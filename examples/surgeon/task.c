@@ -27,8 +27,8 @@ vbss_result task_create_as(task *k, const stitch *t, vbss_record *record, vbss_r
     c.thread = s->rig.thread_body;
     c.needle = s->needle_body;
     c.drain = s->drain_body;
-    c.tools[0] = t->left.body;
-    c.tools[1] = t->right.body;
+    c.tools[0] = stitch_hand(t, SITE_LEFT)->body;
+    c.tools[1] = stitch_hand(t, SITE_RIGHT)->body;
     c.knots = k->knots;
     c.metrics = k->metrics;
     c.record = record;

@@ -13,12 +13,14 @@ static void report_state(const surgeon *s, const char *doing)
 {
     const stitch *t = &s->stitch;
     const senses *e = &s->see;
+    const hand *left = stitch_hand(t, SITE_LEFT), *right = stitch_hand(t, SITE_RIGHT);
+    const vec at[2] = {mirror_vec(t->site.rig.mirrored, left->at),
+                       mirror_vec(t->site.rig.mirrored, right->at)};
     printf("%7.3f s  %-7s tail %6.1f slit %5.2f  left %6.1f %6.1f %6.1f feels %.2f  right %6.1f "
            "%6.1f %6.1f feels %.2f",
-           t->site.rig.time, doing, MILLI * pull_tail(t), MILLI * s->gap, MILLI * t->left.at.x,
-           MILLI * t->left.at.y, MILLI * t->left.at.z, v_length(t->left.pull),
-           MILLI * t->right.at.x, MILLI * t->right.at.y, MILLI * t->right.at.z,
-           v_length(t->right.pull));
+           t->site.rig.time, doing, MILLI * pull_tail(t), MILLI * s->gap, MILLI * at[0].x,
+           MILLI * at[0].y, MILLI * at[0].z, v_length(left->pull), MILLI * at[1].x, MILLI * at[1].y,
+           MILLI * at[1].z, v_length(right->pull));
     if (s->stage >= SURGEON_TIE) {
         printf("  turns %.2f, %.1f to %.1f behind the tip, angle %.1f radius %.1f", e->turns,
                MILLI * e->first_s, MILLI * e->last_s, s->tie.phi, MILLI * s->tie.rho);
@@ -59,8 +61,8 @@ static void observe(watch *w, const surgeon *s, const char *doing, bool changed)
         w->max_contacts = c.contacts;
     }
     if (s->stage < SURGEON_DONE) {
-        w->left[s->stage] = larger(w->left[s->stage], watch_feels(&t->left));
-        w->right[s->stage] = larger(w->right[s->stage], watch_feels(&t->right));
+        w->left[s->stage] = larger(w->left[s->stage], watch_feels(stitch_hand(t, SITE_LEFT)));
+        w->right[s->stage] = larger(w->right[s->stage], watch_feels(stitch_hand(t, SITE_RIGHT)));
     }
     if (w->verbose && (changed || fmod(t->site.rig.time, OFTEN) < STEP)) {
         report_state(s, doing);

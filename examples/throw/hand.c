@@ -286,7 +286,7 @@ vbss_result hand_feel(hand *h)
     vbss_scene_grasp grasp;
     TRY(vbss_grasper_get_state(h->grasper, &state, sizeof state));
     TRY(wire_feel(h, &state));
-    h->felt = v_load(state.hand_force);
+    h->felt = mirror_vec(h->rig->mirrored, v_load(state.hand_force));
     h->holds = state.grasp_count > 0;
     if (!h->holds) {
         h->pull = v3(0.0, 0.0, 0.0);
@@ -296,7 +296,7 @@ vbss_result hand_feel(hand *h)
     h->held_thread = grasp.body;
     h->place = throw_rig_place(h->rig, grasp.arc_length);
     h->node = (uint32_t)(h->place + 0.5);
-    h->pull = seen(h, v_scale(-1.0, v_load(grasp.force)));
+    h->pull = seen_scene(h, v_scale(-1.0, v_load(grasp.force)));
     if (state.needle != 0) { /* the needle leans on the tool as well, which no hand feels */
         h->pull = v_limit(h->pull, v_length(v_load(state.hand_force)));
     }
@@ -318,10 +318,10 @@ vbss_result hand_observe(const hand *h, hand_pose *pose)
         jaws = hand_rotate(s.orientation, v3(0.0, vbss_sin(bend), vbss_cos(bend)));
     vec shaft = hand_rotate(s.orientation, v3(0.0, 0.0, 1.0));
     vec corner = v_along(tip, hand_reach(h), jaws);
-    pose->tip = seen(h, tip);
-    pose->handle = seen(h, jaws);
-    pose->bend = seen(h, corner);
-    pose->trocar = seen(h, v_along(corner, h->shape.shaft_length, shaft));
-    pose->opening = seen(h, hand_rotate(s.orientation, v3(1.0, 0.0, 0.0)));
+    pose->tip = seen_scene(h, tip);
+    pose->handle = seen_scene(h, jaws);
+    pose->bend = seen_scene(h, corner);
+    pose->trocar = seen_scene(h, v_along(corner, h->shape.shaft_length, shaft));
+    pose->opening = seen_scene(h, hand_rotate(s.orientation, v3(1.0, 0.0, 0.0)));
     return VBSS_OK;
 }

@@ -31,7 +31,7 @@ typedef struct hand {
     uint64_t random;
     double
         side; /* -1: the world is seen in a mirror, so that this hand's part is always the same */
-    /* in the world: */
+    /* in the world, which is the scene or its mirror image: */
     bool through; /* the hand keeps the shaft on a line through `trocar` */
     vec trocar;
     double face[4], wanted_face[4];    /* w, x, y, z: how a free tool is turned, how it shall be */
@@ -100,6 +100,12 @@ vec hand_rotate(const double q[4], vec v);
 static inline vec seen(const hand *h, vec world)
 {
     return v3(h->side * world.x, world.y, world.z);
+}
+
+/* Likewise what is in the scene, and back. */
+static inline vec seen_scene(const hand *h, vec scene)
+{
+    return seen(h, mirror_vec(h->rig->mirrored, scene));
 }
 
 /* From the tip to the bend, along the jaws. */

@@ -8,6 +8,7 @@
 #include <vblast_ss/vblast_ss.h>
 
 #include "throw/log_file.h"
+#include "throw/mirror.h"
 #include "throw/vec.h"
 
 #define DRAIN_RADIUS 6.5e-3
@@ -36,6 +37,7 @@ typedef struct throw_rig_host {
 
 typedef struct throw_rig {
     const throw_rig_host *host; /* NULL: hands move their tools themselves */
+    bool mirrored;              /* the hands are left-handed (mirror.h) */
     vbss_context *context;
     vbss_scene *scene;
     vbss_thread *thread;

@@ -39,8 +39,8 @@ static bool touches(const senses *s, vec x, double *from_tip)
     bool any = false;
     for (int i = 0; i < 4; i++) {
         const double *part = s->parts + (size_t)7 * (size_t)i;
-        any = any || distance(x, seen(s->w, v_load(part)), seen(s->w, v_load(part + 3)), &along) <
-                         part[6] + THREAD_RADIUS + TOUCH;
+        any = any || distance(x, seen_scene(s->w, v_load(part)), seen_scene(s->w, v_load(part + 3)),
+                              &along) < part[6] + THREAD_RADIUS + TOUCH;
     }
     double reach = hand_reach(s->w), from = v_dot(v_sub(x, s->tool_w.tip), s->tool_w.handle);
     *from_tip = clamp(from, 0.0, reach + c->shaft_length);
@@ -106,7 +106,7 @@ vbss_result senses_observe(senses *s)
     TRY(follow_cuts(s));
     const vec *x = throw_rig_nodes(s->rig);
     for (uint32_t i = 0; i < s->nodes; i++) {
-        s->x[i] = seen(s->w, x[i]);
+        s->x[i] = seen_scene(s->w, x[i]);
     }
     TRY(hand_observe(s->w, &s->tool_w));
     TRY(hand_observe(s->c, &s->tool_c));
@@ -144,9 +144,9 @@ vec senses_tip_holding_up(const senses *s, vec direction, double share)
 static vbss_knot_tool as_tool(const senses *s, const hand *h, const hand_pose *pose)
 {
     vbss_knot_tool t = {.point_count = 3};
-    v_store(t.axis[0], seen(h, pose->trocar));
-    v_store(t.axis[1], seen(h, pose->bend));
-    v_store(t.axis[2], seen(h, pose->tip));
+    v_store(t.axis[0], seen_scene(h, pose->trocar));
+    v_store(t.axis[1], seen_scene(h, pose->bend));
+    v_store(t.axis[2], seen_scene(h, pose->tip));
     t.radius[0] = h->shape.shaft_radius;
     t.radius[1] = h->shape.neck_radius;
     bool held = senses_holds(s, h);
@@ -186,7 +186,7 @@ vbss_result senses_wind(senses *s)
     TRY(show(s, tools, &in));
     TRY(vbss_knot_detector_step(s->detector, &in));
     TRY(vbss_knot_detector_get_winding(s->detector, 0, &winding, sizeof winding));
-    s->turns = s->w->side * winding.turns;
+    s->turns = s->w->side * mirror_sign(s->rig->mirrored) * winding.turns;
     return VBSS_OK;
 }
 

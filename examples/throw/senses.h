@@ -22,7 +22,7 @@ typedef struct senses {
     uint32_t first, last;   /* nodes of the long limb that touch W; 0: none */
     double first_s, last_s; /* where along W from its tip, m */
     double turns;           /* signed, of the long limb about W, positive the way C goes */
-    /* Of the contacts of the thread with itself: their mean, in the world; above the drain that, the lowest, the
+    /* Of the contacts of the thread with itself: their mean, in the scene; above the drain that, the lowest, the
      * highest, m. */
     vec knot;
     double knot_height, knot_lowest, knot_highest;

@@ -80,7 +80,7 @@ void throw_plan_spoil(throw_plan *p, throw_mistake mistake)
 
 int throw_handedness(const throw_run *t)
 {
-    return t->see->w->side > 0.0 ? -1 : 1;
+    return t->see->w->side * mirror_sign(t->see->rig->mirrored) > 0.0 ? -1 : 1;
 }
 
 void throw_begin(throw_run *t, senses *see, const throw_plan *plan)

@@ -11,8 +11,8 @@ static void measure(void *user, double time, vbss_device_sample *s)
     (void)time; /* of the last sample, which is now */
     s->valid = VBSS_DEVICE_HAS_POSITION | VBSS_DEVICE_HAS_ORIENTATION | VBSS_DEVICE_HAS_JAW |
                VBSS_DEVICE_HAS_TOOL;
-    v_store(s->position, h->shown);
-    memcpy(s->orientation, h->shown_orientation, sizeof s->orientation);
+    v_store(s->position, mirror_vec(h->rig->mirrored, h->shown));
+    mirror_tool(h->rig->mirrored, h->shown_orientation, s->orientation);
     s->jaw = h->opening;
     s->tool = h->tool;
 }
@@ -36,10 +36,14 @@ static vbss_result make_device(hand *h)
 
 vbss_result wire_create(hand *h)
 {
-    double position[3];
-    v_store(position, h->shown);
-    TRY(vbss_grasper_create(h->rig->context, &h->shape, &h->grasper));
-    TRY(vbss_grasper_set_target(h->grasper, position, h->shown_orientation));
+    const bool mirrored = h->rig->mirrored;
+    vbss_grasper_config shape = h->shape;
+    double position[3], orientation[4];
+    v_store(shape.trocar, mirror_vec(mirrored, v_load(h->shape.trocar)));
+    v_store(position, mirror_vec(mirrored, h->shown));
+    mirror_tool(mirrored, h->shown_orientation, orientation);
+    TRY(vbss_grasper_create(h->rig->context, &shape, &h->grasper));
+    TRY(vbss_grasper_set_target(h->grasper, position, orientation));
     TRY(vbss_grasper_set_opening(h->grasper, h->opening));
     TRY(vbss_scene_add_grasper(h->rig->scene, h->grasper, &h->body));
     return make_device(h);
