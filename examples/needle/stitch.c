@@ -16,6 +16,9 @@
 #define EASED 2e-3         /* of it drawn back from a left wall, before the fork leaves that */
 #define HELPED 2e-3        /* of it while the left hand still bears the wall */
 #define OUT 8.5e-3         /* of the tip in the end */
+#define ENOUGH 7e-3        /* of it, if the needle has gone as far as it goes, or drags */
+#define DRAGS 3.0          /* N: the wall goes along with the needle that is in it; */
+#define BACK_BY 2.5e-3     /* m, then */
 #define FORK_BEYOND 1.8e-3 /* of the fork's tips past the mark */
 #define FOLLOW 4e-3        /* at most, of a mark that moves */
 #define LOWER 0.7e-3       /* than the left mark the fork bears it */
@@ -43,6 +46,7 @@
 #define SEEING 0.1       /* s: what is seen is told so late */
 
 enum { TRIES = 5, AGAIN = 14 }; /* to take it, to enter the right wall; to come back to the left */
+enum { BACKS = 10 };            /* of a needle that drags */
 enum { PLACES = 5 };            /* of the fork on the left wall */
 
 static const char *const names[] = {"lie",   "reach", "lower", "close", "lift", "bring", "aim",
@@ -338,6 +342,17 @@ static void enter_wall(stitch *t, double step)
     }
 }
 
+/* A wall that goes along with the needle instead of sliding on it is torn off in the end. So the needle goes back a little, and on again. */
+static double draw_on(stitch *t, double step)
+{
+    if (t->back <= 0.0 && felt(&t->right) > DRAGS && t->relieved < BACKS) {
+        t->relieved++;
+        t->back = BACK_BY;
+    }
+    t->back -= step;
+    return t->back > 0.0 ? -step : step;
+}
+
 static void drive(stitch *t, double dt)
 {
     double step = DRIVE * t->right.nature.speed * dt;
@@ -367,7 +382,7 @@ static void drive(stitch *t, double dt)
             enter_state(t, STITCH_CROSS);
         }
     } else if (!waits && t->gone < LONGEST) {
-        t->gone += step;
+        t->gone += t->state == STITCH_DRAW ? draw_on(t, step) : step;
     }
     t->along = smaller(1.0, t->along + dt / 0.5);
     pose other = crossing(t);
@@ -376,7 +391,8 @@ static void drive(stitch *t, double dt)
     if (waits && ready) {
         enter_state(t, STITCH_LEAVE);
     }
-    if (t->state == STITCH_DRAW && t->out > OUT) {
+    const double enough = t->gone < LONGEST && t->relieved == 0 ? OUT : ENOUGH;
+    if (t->state == STITCH_DRAW && t->out > enough) {
         enter_state(t, STITCH_DONE);
     }
     if (t->since > 8.0) {
@@ -483,6 +499,10 @@ static void lead_left(stitch *t)
         }
         break;
     case SUPPORT_BACK:
+        if (t->state == STITCH_EASE) {
+            enter_support(t, SUPPORT_BESIDE);
+            break;
+        }
         direction = v_unit(v_sub(h->trocar, on));
         hand_go(h, v_along(on, 0.03, direction), CARRY);
         break;
@@ -558,6 +578,19 @@ static void withdrawn(stitch *t)
     t->punctures = 0;
 }
 
+/* Drawn back a little, the needle may leave its hole in the left wall. */
+static bool is_drawn_out(stitch *t, uint32_t id)
+{
+    const bool is = t->state == STITCH_DRAW && t->back > 0.0 && id == t->holes[SITE_LEFT];
+    if (is) {
+        t->holes[SITE_LEFT] = 0;
+        t->punctures--;
+        t->back = 0.0;
+        enter_state(t, STITCH_EASE);
+    }
+    return is;
+}
+
 /* The wall springs back from a tip that has entered it, and now and then off it again: that goes on pressing. */
 static bool sprang_off(stitch *t, uint32_t id)
 {
@@ -582,7 +615,8 @@ vbss_result stitch_observe(stitch *t)
         const vbss_scene_event *e = &rig->events[i];
         if (e->kind == VBSS_SCENE_EVENT_PUNCTURE) {
             punctured(t, e->id);
-        } else if (e->kind == VBSS_SCENE_EVENT_WITHDRAWN && sprang_off(t, e->id)) {
+        } else if (e->kind == VBSS_SCENE_EVENT_WITHDRAWN &&
+                   (sprang_off(t, e->id) || is_drawn_out(t, e->id))) {
             continue;
         } else if (e->kind == VBSS_SCENE_EVENT_WITHDRAWN && t->withdraws && t->mends) {
             withdrawn(t);

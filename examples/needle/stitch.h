@@ -63,6 +63,8 @@ typedef struct stitch {
     vec pressed;   /* where the needle pressed on it then, from the mark */
     vec fork;      /* so far from its usual place the fork is set on the left wall */
     int again;     /* times that the needle has been drawn back from it */
+    double back;   /* so far it still has to go back in its hole, m */
+    int relieved;  /* so many times it had to */
     vec hole;      /* the first, likewise */
     vec entry;     /* where the right mark is taken to be while it is entered */
     double gone;   /* the tip beyond the right mark along the way it shall go, m */
