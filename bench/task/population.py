@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
 """Counts how many scripted surgeons complete the task, over seeds that are derived from a commit.
 
-    bench/task/population.py build/release/examples/surgeon/surgeon --of REVISION [--skill expert] [--count 100]
+    bench/task/population.py build/release/examples/surgeon/surgeon --of REVISION [--skill expert] [--left] [--count 100]
 
 Seed number i is the first four bytes of SHA-256 of "HASH i", where HASH is the hash of the revision, so the hands cannot have been
-fitted to these seeds. Each performance adds a line to build/population/HASH-SKILL.jsonl when it has ended. A run that was stopped
-goes on where it was, as long as the program is the same."""
+fitted to these seeds. Each performance adds a line to build/population/HASH-SKILL.jsonl when it has ended (HASH-SKILL-left.jsonl,
+left-handed). A run that was stopped goes on where it was, as long as the program is the same."""
 import argparse
 import concurrent.futures
 import hashlib
@@ -30,11 +30,11 @@ def seeds_of(text, count):
     return [int.from_bytes(hashlib.sha256(f"{text} {number}".encode()).digest()[:4], "big") for number in range(count)]
 
 
-def perform(surgeon, skill, seed):
-    """The line of one performance, or one that says how the program ended."""
+def perform(surgeon, skill, hand, seed):
+    """The line of one performance, or one that says how the program ended. hand: further words for the program."""
     with tempfile.TemporaryDirectory() as folder:
         lines = pathlib.Path(folder) / "outcome.jsonl"
-        done = subprocess.run([surgeon, "-s", str(seed), "-k", skill, "-j", lines], stdout=subprocess.DEVNULL,
+        done = subprocess.run([surgeon, "-s", str(seed), "-k", skill, "-j", lines, *hand], stdout=subprocess.DEVNULL,
                               stderr=subprocess.PIPE, text=True)
         if lines.is_file():
             return json.loads(lines.read_text())
@@ -109,6 +109,7 @@ def main():
     parser.add_argument("surgeon", type=pathlib.Path, help="the program")
     parser.add_argument("--of", default="HEAD", metavar="REVISION", help="whose hash gives the seeds (HEAD)")
     parser.add_argument("--skill", default="expert", choices=["expert", "resident", "novice"])
+    parser.add_argument("--left", action="store_true", help="left-handed ones")
     parser.add_argument("--count", type=int, default=100)
     parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1)
     parser.add_argument("--out", type=pathlib.Path, help="folder for the lines (build/population)")
@@ -122,12 +123,12 @@ def main():
     seeds = seeds_of(text, chosen.count)
     folder = chosen.out or ROOT / "build/population"
     folder.mkdir(parents=True, exist_ok=True)
-    path = folder / f"{text[:12]}-{chosen.skill}.jsonl"
+    path = folder / f"{text[:12]}-{chosen.skill}{'-left' if chosen.left else ''}.jsonl"
     rows = read_rows(path, program, seeds)
     print(f"{chosen.skill}, seeds of {text[:12]}: {len(rows)} of {chosen.count} are there", flush=True)
     with path.open("a") as out, concurrent.futures.ThreadPoolExecutor(chosen.jobs) as pool:
         out.write("\n" if rows else "")  # the last line may have been cut off
-        running = {pool.submit(perform, chosen.surgeon.resolve(), chosen.skill, seed)
+        running = {pool.submit(perform, chosen.surgeon.resolve(), chosen.skill, ["--left"] if chosen.left else [], seed)
                    for seed in seeds if seed not in rows}
         for ended in concurrent.futures.as_completed(running):
             row = ended.result() | {"program": program}

@@ -20,7 +20,8 @@
 #define LOW 0.015         /* m below the drain's top, to where both pull: the floor is not far */
 #define FAR 0.05          /* m farther out than C may be already */
 #define ASKEW (-PI / 4.0) /* so that the ends do not go straight back over what is tied */
-#define PULL 1.0 /* N, of both hands in the end: with 2 flat throws turn into half hitches */
+#define PULL \
+    1.0 /* N, of both hands, if not both ends bend: with 2 flat throws turn into half hitches */
 #define PULL_KEPT 1.5
 #define CATCHES 3
 #define RETRIES 2           /* wound anew: that pulls at what is tied, but else it is left */

@@ -96,10 +96,12 @@ bool watch_write_outcome(FILE *out, const watch *w, const surgeon *s, vbss_resul
 {
     const hand_skill *skill = skill_or_expert(w->options.skill);
     fprintf(out,
-            "{\"seed\": %" PRIu64 ", \"skill\": \"%s\", \"good\": %s, \"result\": \"%s\", "
+            "{\"seed\": %" PRIu64
+            ", \"skill\": \"%s\", \"left_handed\": %s, \"good\": %s, \"result\": \"%s\", "
             "\"complete\": %s, \"stage\": \"%s\", \"doing\": \"%s\", \"why\": \"%s\", "
             "\"hands_s\": %.3f, \"slit_mm\": %.4f",
-            w->options.seed, skill->name, is_good ? "true" : "false", vbss_result_name(result),
+            w->options.seed, skill->name, w->options.left_handed ? "true" : "false",
+            is_good ? "true" : "false", vbss_result_name(result),
             watch_complete(w) ? "true" : "false", surgeon_stage_name(w->last), surgeon_doing(s),
             s->why != NULL ? s->why : "", s->stitch.site.rig.time, MILLI * s->gap);
     if (w->task.session != NULL) {
