@@ -27,8 +27,9 @@
     0.35e-3       /* toward the slit, as the tip slides away from it on the wall before it enters */
 #define FELT 2.5  /* N: a hand that feels more draws back */
 #define BEARS 0.1 /* N: a hand whose fork bears the wall feels more, once that is pressed for */
-#define PRESSED 0.5 /* so many s */
-#define BORNE 1.5   /* s: after that time on the fork the right wall is at rest */
+#define PUSHED_OUT 10e-3 /* m beyond the right mark; a wall that is borne is pierced after 7 to 9 */
+#define PRESSED 0.5      /* so many s */
+#define BORNE 1.5        /* s: after that time on the fork the right wall is at rest */
 #define BUMPS \
     1.5 /* N: felt on the way to the mark, more than that means that the needle is at the other tool */
 #define MISSED 6e-3 /* of the tip beyond the right mark without a hole; it enters at 2 to 3 mm */
@@ -264,7 +265,7 @@ static void carry(stitch *t)
 }
 
 /* How the left wall gives way, as is seen and felt: it tips over the fork instead of being pierced, or leaves it, or the hand feels
- * too much. */
+ * too much, or pushes it far out. */
 typedef enum yielding { HOLDS, TIPS, LEAVES, WEDGES } yielding;
 
 static yielding check_yielding(stitch *t)
@@ -282,7 +283,8 @@ static yielding check_yielding(stitch *t)
         return TIPS;
     }
     bool leaves = t->since > PRESSED && felt(&t->left) < BEARS;
-    return leaves ? LEAVES : felt(&t->right) > FELT ? WEDGES : HOLDS;
+    const bool wedges = felt(&t->right) > FELT || t->gone > PUSHED_OUT;
+    return leaves ? LEAVES : wedges ? WEDGES : HOLDS;
 }
 
 /* The fork is set anew, so that the needle comes between its jaws, and nearer to their tips, but not beyond the mark: near its
@@ -342,11 +344,16 @@ static void enter_wall(stitch *t, double step)
     }
 }
 
-/* A wall that goes along with the needle instead of sliding on it is torn off in the end. So the needle goes back a little, and on again. */
+/* A wall that goes along with the needle instead of sliding on it is torn off in the end. So the needle goes back a little, and on again;
+ * farther back only if that helps. */
 static double draw_on(stitch *t, double step)
 {
-    if (t->back <= 0.0 && felt(&t->right) > DRAGS && t->relieved < BACKS) {
+    const double feels = felt(&t->right);
+    const bool has_gone_on = t->relieved == 0 || t->back < -BACK_BY;
+    const bool helps = t->back <= 0.0 && feels < t->dragged;
+    if ((has_gone_on || helps) && feels > DRAGS && t->relieved < BACKS) {
         t->relieved++;
+        t->dragged = feels;
         t->back = BACK_BY;
     }
     t->back -= step;

@@ -63,12 +63,13 @@ typedef struct stitch {
     vec pressed;   /* where the needle pressed on it then, from the mark */
     vec fork;      /* so far from its usual place the fork is set on the left wall */
     int again;     /* times that the needle has been drawn back from it */
-    double back;   /* so far it still has to go back in its hole, m */
-    int relieved;  /* so many times it had to */
-    vec hole;      /* the first, likewise */
-    vec entry;     /* where the right mark is taken to be while it is entered */
-    double gone;   /* the tip beyond the right mark along the way it shall go, m */
-    double along;  /* share of the change from the circle of entry to that through both marks */
+    double back;  /* so far it still has to go back in its hole, m; below 0: it has gone on since */
+    int relieved; /* so many times it had to */
+    double dragged; /* N, that the hand felt then */
+    vec hole;       /* the first, likewise */
+    vec entry;      /* where the right mark is taken to be while it is entered */
+    double gone;    /* the tip beyond the right mark along the way it shall go, m */
+    double along;   /* share of the change from the circle of entry to that through both marks */
     uint32_t punctures, others; /* holes made; tears, slips out, withdrawals */
     uint32_t holes[2];          /* their ids: left, right */
     vbss_scene_hole made[2];    /* when made */
