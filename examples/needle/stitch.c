@@ -13,7 +13,7 @@
 #define BEFORE 5e-3        /* of the mark, where the needle is brought */
 #define LONGEST 27e-3      /* of the way beyond the right mark */
 #define IN_LUMEN 5e-3      /* of the tip, until the left hand is ready */
-#define EASED 2e-3         /* of it drawn back from a left wall, before the fork leaves that */
+#define DRAWN_BACK 2e-3    /* of it drawn back from a left wall, before the fork leaves that */
 #define HELPED 2e-3        /* of it while the left hand still bears the wall */
 #define OUT 8.5e-3         /* of the tip in the end */
 #define ENOUGH 7e-3        /* of it, if the needle has gone as far as it goes, or drags */
@@ -441,9 +441,9 @@ static void lead_right(stitch *t, double dt)
 /* ---- the left hand */
 
 /* A wall that has tipped over the fork springs back as that leaves: not onto the tip, which would catch it aslant. */
-static bool has_eased(const stitch *t)
+static bool is_drawn_back(const stitch *t)
 {
-    return t->since * DRIVE * t->right.nature.speed > EASED;
+    return t->since * DRIVE * t->right.nature.speed > DRAWN_BACK;
 }
 
 static void lead_left(stitch *t)
@@ -499,7 +499,7 @@ static void lead_left(stitch *t)
     case SUPPORT_ON:
         direction = v_unit(v_sub(h->trocar, on));
         hand_go(h, v_along(on, -PUSH, direction), CAREFUL);
-        if (t->state == STITCH_EASE && has_eased(t)) {
+        if (t->state == STITCH_EASE && is_drawn_back(t)) {
             enter_support(t, SUPPORT_BESIDE);
         } else if (t->out > HELPED) {
             enter_support(t, SUPPORT_BACK);

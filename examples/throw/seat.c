@@ -167,7 +167,8 @@ static bool is_even(throw_run *t, double dt)
 {
     senses *s = t->see;
     const vec to_root = v_sub(steer_tail_root(t), s->tool_w.tip);
-    if (t->plan.gives && t->slip < -BENDS && s->tension_w > NO_PULL && v_length(to_root) > NEAREST) {
+    if (t->plan.gives && t->slip < -BENDS && s->tension_w > NO_PULL &&
+        v_length(to_root) > NEAREST) {
         t->carrot_w = v_along(t->carrot_w, GIVING * dt, v_unit(to_root));
     } else if (t->slip > BENDS) {
         t->carrot_w = v_along(t->carrot_w, -GIVING * dt, v_unit(to_root));

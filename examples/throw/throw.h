@@ -60,10 +60,11 @@ typedef struct throw_plan {
     bool down;  /* the turn is closed from below, on either side of the drain, before that */
     /* The tail is raised on the near side until the turn is closed: laid over the throw below, it opens that one. */
     bool raised;
-    bool flat; /* so closed, the throw is pulled flat as well, with both ends bent: it is tight then */
+    bool flat; /* so closed, it is pulled flat as well, with both ends bent, and tight then */
     /* The hands see which end bends, and W draws a tail that bends alone; only then the throw is pulled. */
     bool even;
-    bool gives; /* W gives with a tail that is straight until it bends as the limb does, and pulls less meanwhile */
+    /* W gives with a tail that is straight until it bends as the limb does, and pulls less meanwhile. */
+    bool gives;
     /* Both hands go back to where the throw below was pulled from, pull from there, and then, with nothing slack meanwhile, the flat way. */
     bool back;
     /* Further ones of the tail, farther from its end, if it is missed or would tie something else. */
