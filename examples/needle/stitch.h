@@ -54,17 +54,17 @@ typedef struct stitch {
     vec errors[2];    /* of aim, at the left and the right mark */
     double target_at; /* their size, m */
     uint64_t random;
-    bool misses;   /* the tip goes back from a right wall that it has missed */
-    int forked;    /* times that the fork was set again under the right wall */
-    int missed;    /* so many times */
-    vec marks[2];  /* as seen, a little late */
-    vec trim;      /* of the aim at the left mark */
-    double square; /* cosine between needle and left wall, the largest of this try */
-    vec pressed;   /* where the needle pressed on it then, from the mark */
-    vec fork;      /* so far from its usual place the fork is set on the left wall */
-    int again;     /* times that the needle has been drawn back from it */
-    double back;  /* so far it still has to go back in its hole, m; below 0: it has gone on since */
-    int relieved; /* so many times it had to */
+    bool misses;    /* the tip goes back from a right wall that it has missed */
+    int forked;     /* times that the fork was set again under the right wall */
+    int missed;     /* so many times */
+    vec marks[2];   /* as seen, a little late */
+    vec trim;       /* of the aim at the left mark */
+    double square;  /* cosine between needle and left wall, the largest of this try */
+    vec pressed;    /* where the needle pressed on it then, from the mark */
+    vec fork;       /* so far from its usual place the fork is set on the left wall */
+    int again;      /* times that the needle has been drawn back from it */
+    int relieved;   /* times that it has gone back in its hole there, because it dragged */
+    double back;    /* so far it still has to, m; below 0: it has gone on since */
     double dragged; /* N, that the hand felt then */
     vec hole;       /* the first, likewise */
     vec entry;      /* where the right mark is taken to be while it is entered */
