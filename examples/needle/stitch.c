@@ -213,7 +213,8 @@ static void enter_support(stitch *t, stitch_support support)
  * since from very far its jaws go over the slit's edge. */
 static void set_fork_again(stitch *t)
 {
-    static const double nearer[TRIES] = {0.025, 0.05, 0.0125, 0.0375}; /* m */
+    /* m, spread up to 0.05, where the shaft is clear of the needle; one seed showed that this may be too far */
+    static const double nearer[TRIES] = {0.025, 0.05, 0.0125, 0.0375, 0.0};
     hand_target(&t->left, t->left.nature.target_end);
     if (t->left_is_free) {
         hand_through(&t->left, v_along(STITCH_LEFT_TROCAR, -nearer[t->forked], v3(0.0, 1.0, 0.0)));
@@ -585,15 +586,21 @@ static void withdrawn(stitch *t)
     t->punctures = 0;
 }
 
+/* The tip has left its hole at that side again. */
+static void lose_hole(stitch *t, int side, stitch_state then)
+{
+    t->holes[side] = 0;
+    t->punctures--;
+    enter_state(t, then);
+}
+
 /* Drawn back a little, the needle may leave its hole in the left wall. */
 static bool is_drawn_out(stitch *t, uint32_t id)
 {
     const bool is = t->state == STITCH_DRAW && t->back > 0.0 && id == t->holes[SITE_LEFT];
     if (is) {
-        t->holes[SITE_LEFT] = 0;
-        t->punctures--;
         t->back = 0.0;
-        enter_state(t, STITCH_EASE);
+        lose_hole(t, SITE_LEFT, STITCH_EASE);
     }
     return is;
 }
@@ -605,9 +612,7 @@ static bool sprang_off(stitch *t, uint32_t id)
     const bool has_just_entered = t->state == STITCH_CROSS || t->state == STITCH_DRAW;
     const bool just = has_just_entered && t->since < SPRINGS && id == t->holes[side];
     if (just) {
-        t->holes[side] = 0;
-        t->punctures--;
-        enter_state(t, side == SITE_RIGHT ? STITCH_ENTER : STITCH_LEAVE);
+        lose_hole(t, side, side == SITE_RIGHT ? STITCH_ENTER : STITCH_LEAVE);
     }
     return just;
 }

@@ -102,7 +102,7 @@ static inline vec seen(const hand *h, vec world)
     return v3(h->side * world.x, world.y, world.z);
 }
 
-/* Likewise what is in the scene, and back. */
+/* The same for a place or a direction in the scene; it is its own inverse, as seen() is. */
 static inline vec seen_scene(const hand *h, vec scene)
 {
     return seen(h, mirror_vec(h->rig->mirrored, scene));

@@ -10,8 +10,8 @@
 #include "needle/stitch.h" /* whose pose is another than the library's: so no harness here */
 
 #define STEP 1e-3
-#define NEARLY 1e-12
-#define SURELY 1e-6 /* m, of what is simulated */
+#define ROUNDING 1e-12
+#define TOLERANCE 1e-6 /* m, after some hundred steps that are rounded in another order */
 #define expect_ok(call) assert_int_equal(VBSS_OK, (call))
 enum { ROTATIONS = 100, STEPS = 300, SEED = 3 };
 
@@ -94,12 +94,12 @@ static void images_of_bodies_are_turned_properly(void **state)
         mirror_tool(true, q, tool);
         mirror_needle(true, q, needle);
         const vec image = mirror_vec(true, hand_rotate(q, v));
-        assert_true(v_distance(hand_rotate(tool, across_x), image) < NEARLY);
-        assert_true(v_distance(hand_rotate(needle, across_z), image) < NEARLY);
+        assert_true(v_distance(hand_rotate(tool, across_x), image) < ROUNDING);
+        assert_true(v_distance(hand_rotate(needle, across_z), image) < ROUNDING);
         for (int k = 0; k < 4; k++) {
             length += tool[k] * tool[k];
         }
-        assert_true(fabs(length - 1.0) < NEARLY);
+        assert_true(fabs(length - 1.0) < ROUNDING);
     }
 }
 
@@ -116,7 +116,7 @@ static void begin(stitch *t, bool mirrored)
 
 static void expect_same_pose(const pose *a, const pose *b)
 {
-    assert_true(v_distance(a->at, b->at) < SURELY);
+    assert_true(v_distance(a->at, b->at) < TOLERANCE);
     assert_true(pose_angle(a, b) < 1e-3); /* a cosine tells no less */
 }
 
@@ -125,11 +125,11 @@ static void expect_same_sight(const stitch *a, const stitch *b)
     const pose needle = site_needle(&a->site), other = site_needle(&b->site);
     expect_same_pose(&needle, &other);
     for (int side = 0; side < 2; side++) {
-        assert_true(v_distance(site_mark(&a->site, side), site_mark(&b->site, side)) < SURELY);
+        assert_true(v_distance(site_mark(&a->site, side), site_mark(&b->site, side)) < TOLERANCE);
         assert_true(v_distance(site_mark_at_rest(&a->site, side),
-                               site_mark_at_rest(&b->site, side)) < SURELY);
+                               site_mark_at_rest(&b->site, side)) < TOLERANCE);
         assert_true(v_distance(site_normal_at_rest(&a->site, side),
-                               site_normal_at_rest(&b->site, side)) < SURELY);
+                               site_normal_at_rest(&b->site, side)) < TOLERANCE);
     }
 }
 
@@ -138,10 +138,10 @@ static void expect_same_tool(const hand *a, const hand *b)
     hand_pose p, q;
     expect_ok(hand_observe(a, &p));
     expect_ok(hand_observe(b, &q));
-    assert_true(v_distance(a->at, b->at) < SURELY);
-    assert_true(v_distance(p.tip, q.tip) < SURELY);
-    assert_true(v_distance(p.trocar, q.trocar) < SURELY);
-    assert_true(fabs(fabs(v_dot(p.opening, q.opening)) - 1.0) < SURELY); /* to either side */
+    assert_true(v_distance(a->at, b->at) < TOLERANCE);
+    assert_true(v_distance(p.tip, q.tip) < TOLERANCE);
+    assert_true(v_distance(p.trocar, q.trocar) < TOLERANCE);
+    assert_true(fabs(fabs(v_dot(p.opening, q.opening)) - 1.0) < TOLERANCE); /* to either side */
 }
 
 /* In the scene they are at opposite sides. */
@@ -150,7 +150,8 @@ static void expect_mirrored_tool(const hand *a, const hand *b)
     vbss_grasper_state s, image;
     expect_ok(vbss_grasper_get_state(a->grasper, &s, sizeof s));
     expect_ok(vbss_grasper_get_state(b->grasper, &image, sizeof image));
-    assert_true(v_distance(v_load(image.position), mirror_vec(true, v_load(s.position))) < SURELY);
+    assert_true(v_distance(v_load(image.position), mirror_vec(true, v_load(s.position))) <
+                TOLERANCE);
     assert_true(s.position[0] * image.position[0] < 0.0);
 }
 
