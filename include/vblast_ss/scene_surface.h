@@ -61,8 +61,8 @@ typedef struct vbss_scene_surface_config {
     /** Stiffness of a hole across and along the suture in it, N/m, 1 to 1e7; default 2e4. */
     double hole_stiffness;
     double hole_damping; /**< Damping of sliding in a hole, N s/m, 0 to 1e3; default 0.05. */
-    /** Length of a tip's path through the wall over which puncture_force falls to hole_force, m, 0 to 0.1;
-     * default 0.5e-3. */
+    /** Length of a tip's path through the wall over which the force against its advance falls from puncture_force
+     * to hole_force, and that against drawing it back grows from 0 to hole_force; m, 0 to 0.1; default 0.5e-3. */
     double tip_length;
     double
         thread_force; /**< Friction of a hole with a slack thread in it, N, 1e-6 to 1e3; default 0.02. */

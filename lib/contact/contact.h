@@ -102,11 +102,11 @@ typedef struct contact_constraint {
     /* unilateral: diameter of the thinner feature; largest penetration allowed at the end of the
      * substep; m */
     double thickness, allowed_penetration;
-    /* A sleeve holds the suture across its axis, the normal, and lets it slide along it. It sticks below the yield force yield_force + yield_friction[] times the transverse
+    /* A sleeve holds the suture across its axis, the normal, and lets it slide along it. It sticks below the yield force yield_force[] + yield_friction[] times the transverse
      * force, in N; index 0 is for a force against the normal, 1 along it. Either bound may be
      * negative, but not their sum. Beyond, a damper with the stiffness viscous_stiffness in this
      * substep, N/m, lets it slide. The axial force is remembered. */
-    double yield_force, yield_friction[2], viscous_stiffness;
+    double yield_force[2], yield_friction[2], viscous_stiffness;
     /* A sleeve whose wall tears: the part of the transverse force in the plane of the wall at which it
      * yields, N; 0: it does not. As along the normal, a damper with viscous_stiffness is in series. It
      * yields by at most max_tear_slip in the substep, m. */

@@ -71,7 +71,7 @@ static double axial_yield_limit(const contact_constraint *constraint, bool is_fo
                                 double transverse_force)
 {
     double limit =
-        constraint->yield_force + constraint->yield_friction[is_forward] * transverse_force;
+        constraint->yield_force[is_forward] + constraint->yield_friction[is_forward] * transverse_force;
     return is_forward ? limit : -limit;
 }
 

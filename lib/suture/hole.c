@@ -20,12 +20,24 @@ vec3 vbss_hole_point(const suture_hole *hole, const suture_wall *wall, const vec
     return vbss_wall_point(wall, x, hole->triangle, hole->barycentric);
 }
 
-/* The puncture force fades while the tip passes through, and does not return. */
-static double needle_yield_force(const suture_hole *hole, const vbss_drain_config *c)
+/* 0 at the entry of a tip, 1 from its length on. */
+static double tip_fraction(const suture_hole *hole, const vbss_drain_config *c, double arc)
 {
-    double depth = hole->max_arc - hole->entry_arc;
-    double remaining = depth < c->tip_length ? 1.0 - depth / c->tip_length : 0.0;
+    const double depth = arc - hole->entry_arc;
+    return depth < c->tip_length ? vbss_max(depth / c->tip_length, 0.0) : 1.0;
+}
+
+/* The puncture force fades while the tip passes through, and does not return. */
+static double needle_force_forward(const suture_hole *hole, const vbss_drain_config *c)
+{
+    const double remaining = 1.0 - tip_fraction(hole, c, hole->max_arc);
     return c->hole_force + remaining * vbss_max(c->puncture_force - c->hole_force, 0.0);
+}
+
+/* Nothing cuts on the way back: a tip is held by friction, which grows as it becomes thicker. */
+static double needle_force_back(const suture_hole *hole, const vbss_drain_config *c)
+{
+    return c->hole_force * tip_fraction(hole, c, hole->arc);
 }
 
 /* Fraction of the transition from the needle's law to the thread's, over the length of a tip, so
@@ -43,7 +55,7 @@ static double thread_fraction(const suture_curve *curve, const vbss_drain_config
 hole_yield_limit vbss_hole_yield_limit(const suture_hole *hole, const vbss_drain_config *config,
                                        const suture_curve *curve, const suture_curve_point *point)
 {
-    hole_yield_limit b = {needle_yield_force(hole, config),
+    hole_yield_limit b = {{needle_force_forward(hole, config), needle_force_back(hole, config)},
                           {config->hole_friction, config->hole_friction}};
     double past_swage = point->arc - curve->swage_arc, capstan[2];
     if (curve->thread == NULL || (curve->needle != NULL && past_swage <= 0.0)) {
@@ -53,9 +65,10 @@ hole_yield_limit vbss_hole_yield_limit(const suture_hole *hole, const vbss_drain
     const uint32_t end = last < SUTURE_NEEDLE_BENT_SEGMENTS ? last : SUTURE_NEEDLE_BENT_SEGMENTS;
     const double bent_length = vbss_thread_arc_length(curve->thread, end);
     const double fraction = thread_fraction(curve, config, past_swage - bent_length);
-    b.force += thread_fraction(curve, config, past_swage) * (config->thread_force - b.force);
     vbss_suture_capstan_friction(curve, point, config->hole_friction, capstan);
+    const double of_thread = thread_fraction(curve, config, past_swage);
     for (int k = 0; k < 2; k++) {
+        b.force[k] += of_thread * (config->thread_force - b.force[k]);
         b.friction[k] += fraction * (capstan[k] - b.friction[k]);
     }
     return b;

@@ -157,11 +157,11 @@ vec3 vbss_wall_point(const suture_wall *wall, const vec3 *x, uint32_t triangle,
                      const double barycentric[3]);
 /* Position of the hole for node positions x of its wall. */
 vec3 vbss_hole_point(const suture_hole *hole, const suture_wall *wall, const vec3 *x);
-/* Axial force that a hole bears before the suture slides: `force`, N, plus friction[] times the
- * transverse force. Index 0 is against the tangent, 1 along it. It is evaluated at the start of the
+/* Axial force that a hole bears before the suture slides: force[], N, plus friction[] times the
+ * transverse force. Index 0 is against the tangent, as it advances; 1 is along it. It is evaluated at the start of the
  * substep. */
 typedef struct hole_yield_limit {
-    double force, friction[2];
+    double force[2], friction[2];
 } hole_yield_limit;
 hole_yield_limit vbss_hole_yield_limit(const suture_hole *hole, const vbss_drain_config *config,
                                        const suture_curve *curve, const suture_curve_point *point);

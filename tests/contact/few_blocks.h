@@ -78,7 +78,7 @@ static inline contact_constraint few_sleeve(vec3 normal)
                               .stiffness = FEW_SLEEVE_STIFFNESS,
                               .is_bilateral = true,
                               .is_sleeve = true,
-                              .yield_force = FEW_SLEEVE_MIN,
+                              .yield_force = {FEW_SLEEVE_MIN, FEW_SLEEVE_MIN},
                               .yield_friction = FEW_SLEEVE_GRIP,
                               .viscous_stiffness = 500.0};
     row.solution.status = CONTACT_STICK;

@@ -11,7 +11,7 @@ static vec3 law(const contact_constraint *row, vec3 u, contact_status *state)
 {
     vec3 slid = vec3_add(row->relative_displacement, u), aside = across(slid, row->normal);
     double trial = vec3_dot(row->previous_force, row->normal) - k * vec3_dot(slid, row->normal);
-    double largest = row->yield_force + row->yield_friction[trial > 0.0] * k * vec3_norm(aside);
+    double largest = row->yield_force[trial > 0.0] + row->yield_friction[trial > 0.0] * k * vec3_norm(aside);
     double yielded = fmax(fabs(trial) - largest, 0.0) / (k + row->viscous_stiffness);
     *state = yielded > 0.0 ? CONTACT_SLIP : CONTACT_STICK;
     return vec3_add_scaled(vec3_scale(aside, -k), trial - copysign(k * yielded, trial),
@@ -24,7 +24,8 @@ static contact_constraint any_row(harness_source *source)
     vec3 direction = harness_draw_vec3(source, -1.0, 1.0);
     contact_constraint row = few_sleeve(vec3_unit_or(direction, vec3_make(1.0, 0.0, 0.0)));
     double held = harness_draw_real(source, -1.0, 1.0);
-    row.yield_force = harness_draw_real(source, 0.0, 0.1);
+    row.yield_force[0] = harness_draw_real(source, 0.0, 0.1);
+    row.yield_force[1] = harness_draw_real(source, 0.0, 0.1);
     row.yield_friction[0] = harness_draw_real(source, 0.0, 1.5);
     row.yield_friction[1] = harness_draw_real(source, 0.0, 1.5);
     row.viscous_stiffness = harness_draw_real(source, 0.0, 2e3);
@@ -85,7 +86,7 @@ static void any_tangent_is_the_slope_of_the_force(harness_source *source, void *
     double aside = k * vec3_norm(across(row.relative_displacement, row.normal));
     double elastic = vec3_dot(row.previous_force, row.normal) -
                      k * vec3_dot(row.relative_displacement, row.normal);
-    double largest = row.yield_force + row.yield_friction[elastic > 0.0] * aside;
+    double largest = row.yield_force[elastic > 0.0] + row.yield_friction[elastic > 0.0] * aside;
     if (aside < 0.05 || fabs(fabs(elastic) - largest) < 1e-3) {
         return; /* nothing across has a direction; the slope has a step where it begins to yield */
     }

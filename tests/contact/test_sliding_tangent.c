@@ -63,7 +63,8 @@ static contact_constraint draw_row(harness_source *source, sliding *s)
     s->wall = vec3_lerp(s->x[0], s->x[NODES - 1], harness_draw_real(source, 0.1, 0.9));
     s->wall = vec3_add(place_of(s).position, harness_draw_vec3(source, -4e-6, 4e-6));
     s->from = place_of(s).arc + harness_draw_real(source, -8e-6, 8e-6);
-    row.yield_force = harness_draw_real(source, 0.1, 1.0);
+    row.yield_force[0] = harness_draw_real(source, 0.1, 1.0);
+    row.yield_force[1] = harness_draw_real(source, 0.1, 1.0);
     row.yield_friction[0] = harness_draw_real(source, 0.1, 1.0);
     row.yield_friction[1] = harness_draw_real(source, 0.1, 1.0);
     return row;
@@ -258,7 +259,7 @@ static void any_row_without_friction_is_symmetric(harness_source *source, void *
     draw_thread(source, &s);
     contact_constraint row = draw_row(source, &s);
     s.config.hole_damping = s.hole.friction_force = 0.0;
-    row.yield_force = row.yield_friction[0] = row.yield_friction[1] = 0.0;
+    row.yield_force[0] = row.yield_force[1] = row.yield_friction[0] = row.yield_friction[1] = 0.0;
     *seen += check_row(&s, &row);
     expect_near(0.0, row.solution.normal_force, 0.0);
     begin_system(&f, &row);

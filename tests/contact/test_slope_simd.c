@@ -10,7 +10,8 @@ static vec3 draw(harness_source *source, double size)
 static void draw_sleeve(harness_source *source, contact_constraint *row)
 {
     row->is_bilateral = row->is_sleeve = true;
-    row->yield_force = harness_draw_real(source, 0.0, 0.5);
+    row->yield_force[0] = harness_draw_real(source, 0.0, 0.5);
+    row->yield_force[1] = harness_draw_real(source, 0.0, 0.5);
     row->yield_friction[0] = -harness_draw_real(source, 0.0, 0.3);
     row->yield_friction[1] = harness_draw_real(source, 0.0, 0.3);
     row->viscous_stiffness = harness_draw_real(source, 1.0, 1e3);

@@ -19,7 +19,15 @@ static suture_hole some_hole(void)
 
 /* ---- the bound */
 
-static void yield_force_falls_over_tip_to_friction(void **state)
+static hole_yield_limit limit_at(const suture_hole *hole, const vbss_drain_config *c,
+                                 const suture_curve *line)
+{
+    const suture_curve_point place = {.arc = hole->arc, .span = SUTURE_ON_NEEDLE};
+    return vbss_hole_yield_limit(hole, c, line, &place);
+}
+
+/* Against a tip that advances the puncture force is left over; against one that is drawn back, friction alone. */
+static void needle_is_held_by_what_its_tip_has_passed(void **state)
 {
     (void)state;
     fixture f;
@@ -31,23 +39,28 @@ static void yield_force_falls_over_tip_to_friction(void **state)
         double gone = c.tip_length * i / 10.0;
         hole.max_arc = hole.entry_arc + gone;
         double share = fmax(0.0, 1.0 - gone / c.tip_length);
-        double wanted = c.hole_force + share * (c.puncture_force - c.hole_force);
-        for (int back = 0; back < 2; back++) { /* what was cut stays cut */
-            hole.arc = back ? hole.entry_arc : hole.max_arc;
-            const suture_curve_point place = {.arc = hole.arc, .span = SUTURE_ON_NEEDLE};
-            const hole_yield_limit b = vbss_hole_yield_limit(&hole, &c, &line, &place);
-            expect_near(wanted, b.force, 1e-12);
+        double forward = c.hole_force + share * (c.puncture_force - c.hole_force);
+        for (int j = 0; j <= 4; j++) { /* what was cut stays cut */
+            hole.arc = hole.entry_arc + 0.25 * j * gone;
+            const double back = c.hole_force * fmin(1.0, 0.25 * j * gone / c.tip_length);
+            const hole_yield_limit b = limit_at(&hole, &c, &line);
+            expect_near(forward, b.force[0], 1e-12);
+            expect_near(back, b.force[1], 1e-12);
             expect_near(c.hole_friction, b.friction[0], 0.0);
             expect_near(c.hole_friction, b.friction[1], 0.0);
         }
     }
     hole = some_hole();
-    const suture_curve_point place = {.arc = hole.arc, .span = SUTURE_ON_NEEDLE};
+    hole.arc -= 0.1e-3; /* farther out than it entered */
+    expect_near(0.0, limit_at(&hole, &c, &line).force[1], 0.0);
+    hole = some_hole();
     c.tip_length = 0.0;
-    expect_near(c.hole_force, vbss_hole_yield_limit(&hole, &c, &line, &place).force, 1e-15);
+    for (int k = 0; k < 2; k++) {
+        expect_near(c.hole_force, limit_at(&hole, &c, &line).force[k], 1e-15);
+    }
     c.tip_length = 1e-3;
     c.hole_force = 3.0; /* more than it takes to enter */
-    expect_near(3.0, vbss_hole_yield_limit(&hole, &c, &line, &place).force, 1e-15);
+    expect_near(3.0, limit_at(&hole, &c, &line).force[0], 1e-15);
     end(&f);
 }
 
@@ -88,7 +101,7 @@ static void friction_behind_swage_is_of_thread(void **state)
     begin_tail(&t, f.n);
     const vbss_drain_config c = f.d->config;
     suture_hole hole = some_hole();
-    hole.max_arc = t.line.swage_arc;
+    hole.arc = hole.max_arc = t.line.swage_arc;
     for (int i = -4; i <= 40; i++) {
         double behind = 0.05 * i * c.tip_length,
                share = fmin(fmax(behind / c.tip_length, 0.0), 1.0);
@@ -98,9 +111,10 @@ static void friction_behind_swage_is_of_thread(void **state)
             vbss_suture_nearest_point(&t.line, t.line.swage_arc + behind, at);
         place.arc = t.line.swage_arc + behind;
         const hole_yield_limit b = vbss_hole_yield_limit(&hole, &c, &t.line, &place);
-        expect_near(c.hole_force + share * (c.thread_force - c.hole_force), b.force, 1e-12);
-        expect_near(c.hole_friction, b.friction[0], 1e-6);
-        expect_near(c.hole_friction, b.friction[1], 1e-6);
+        for (int k = 0; k < 2; k++) {
+            expect_near(c.hole_force + share * (c.thread_force - c.hole_force), b.force[k], 1e-12);
+            expect_near(c.hole_friction, b.friction[k], 1e-6);
+        }
     }
     /* A tip of no length: one or the other. */
     vbss_drain_config blunt = c;
@@ -109,7 +123,8 @@ static void friction_behind_swage_is_of_thread(void **state)
         suture_curve_point place = vbss_suture_nearest_point(&t.line, t.line.swage_arc, t.x[0]);
         place.arc = t.line.swage_arc + 1e-9 * i;
         const hole_yield_limit b = vbss_hole_yield_limit(&hole, &blunt, &t.line, &place);
-        expect_near(i > 0 ? c.thread_force : c.hole_force, b.force, 1e-15);
+        expect_near(i > 0 ? c.thread_force : c.hole_force, b.force[0], 1e-15);
+        expect_near(b.force[0], b.force[1], 0.0);
         expect_near(c.hole_friction, b.friction[0], 0.0);
     }
     /* In the bend, and without a needle: that of a rope round a post. */
@@ -123,7 +138,8 @@ static void friction_behind_swage_is_of_thread(void **state)
             vbss_hole_yield_limit(&hole, &c, i == 0 ? &t.line : &alone, &bend);
         vbss_suture_capstan_friction(&t.line, &bend, c.hole_friction, grip);
         assert_true(grip[0] < 0.9 * c.hole_friction);
-        expect_near(c.thread_force, b.force, 1e-15);
+        expect_near(c.thread_force, b.force[0], 1e-15);
+        expect_near(c.thread_force, b.force[1], 1e-15);
         expect_near(grip[0], b.friction[0], 1e-15);
         expect_near(grip[1], b.friction[1], 1e-15);
     }
@@ -197,7 +213,7 @@ static void hole_constraint_is_stiff_across_and_frictional_along(void **state)
     const vec3 off = vec3_make(0.8e-5, 2e-5, -0.6e-5); /* across */
     contact_constraint row = {.is_bilateral = true,
                               .is_sleeve = true,
-                              .yield_force = 1e3,
+                              .yield_force = {1e3, 1e3},
                               .gap = 5.0,
                               .friction = 5.0}; /* the coefficient is for contacts only */
     const double from = now.arc - 1e-6;         /* the tip has gone on by 1 um */
@@ -230,7 +246,7 @@ static void solution_is_stored_unclipped(void **state)
         const vec3 off = vec3_make(0.8e-5, 2e-5, -0.6e-5);
         contact_constraint row = {.is_bilateral = true,
                                   .is_sleeve = true,
-                                  .yield_force = 0.1,
+                                  .yield_force = {0.1, 0.1},
                                   .yield_friction = {0.2, 0.5}};
         vbss_hole_set_constraint(&hole, &f.d->config, now.arc - sign * 1e-3, &now,
                                  vec3_sub(now.position, off), 1e-3, &row);
@@ -322,7 +338,7 @@ static void invalid_holes_are_rejected(void **state)
 int test_hole(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(yield_force_falls_over_tip_to_friction),
+        cmocka_unit_test(needle_is_held_by_what_its_tip_has_passed),
         cmocka_unit_test(friction_behind_swage_is_of_thread),
         cmocka_unit_test(bend_at_swage_grips_as_needle),
         cmocka_unit_test(hole_constraint_is_stiff_across_and_frictional_along),

@@ -212,7 +212,7 @@ static void forces_go_on_evenly(harness_source *source, void *user)
     const hole_yield_limit bound = vbss_hole_yield_limit(&hole, &f->d->config, &line, &now);
     contact_constraint row = {.is_bilateral = true, .is_sleeve = true};
     vbss_hole_set_constraint(&hole, &f->d->config, now.arc, &now, point, 1e-3, &row);
-    row.yield_force = bound.force;
+    memcpy(row.yield_force, bound.force, sizeof row.yield_force);
     vec3 force = vbss_contact_force(&row, vec3_zero());
     expect_near(0.0, vec3_distance(force, tip.force), 1e-9);
     expect_near(0.0, vec3_distance(hole.transverse_force, aside), 1e-12);

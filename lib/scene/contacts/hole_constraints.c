@@ -147,9 +147,10 @@ void vbss_scene_update_hole_constraint(scene_object *s, contact_constraint *cons
                                      s->cursor.substep.step_length);
         constraint->solution.status = CONTACT_STICK;
         const hole_yield_limit bound = vbss_hole_yield_limit(hole, p.wall.law, &p.now, &before);
-        constraint->yield_force = bound.force;
-        constraint->yield_friction[0] = bound.friction[0];
-        constraint->yield_friction[1] = bound.friction[1];
+        for (int k = 0; k < 2; k++) {
+            constraint->yield_force[k] = bound.force[k];
+            constraint->yield_friction[k] = bound.friction[k];
+        }
     }
     uint32_t span = geometry->span;
     suture_curve line = p.trial;

@@ -190,8 +190,9 @@ namespace VblastSs
         }
 
         /// <summary>
-        /// Length of a tip's path through the wall over which puncture_force falls to hole_force,
-        /// m, 0 to 0.1; default 0.5e-3.
+        /// Length of a tip's path through the wall over which the force against its advance falls
+        /// from puncture_force to hole_force, and that against drawing it back grows from 0 to
+        /// hole_force; m, 0 to 0.1; default 0.5e-3.
         /// </summary>
         public double TipLength
         {

@@ -201,8 +201,9 @@ class vbss_drain_config(ctypes.Structure):
 
     hole_damping: Damping of sliding in a hole, N s/m, 0 to 1e3; default 0.05.
 
-    tip_length: Length of a tip's path through the wall over which puncture_force falls to
-    hole_force, m, 0 to 0.1; default 0.5e-3.
+    tip_length: Length of a tip's path through the wall over which the force against its advance
+    falls from puncture_force to hole_force, and that against drawing it back grows from 0 to
+    hole_force; m, 0 to 0.1; default 0.5e-3.
 
     thread_force: Friction of a hole with a slack thread in it, N, 1e-6 to 1e3; default 0.02
     (not verified). A tight thread has capstan friction: docs/explanation/stitch.md.
