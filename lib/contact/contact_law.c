@@ -70,8 +70,8 @@ static double elastic_axial_force(const contact_constraint *constraint, vec3 dis
 static double axial_yield_limit(const contact_constraint *constraint, bool is_forward,
                                 double transverse_force)
 {
-    double limit =
-        constraint->yield_force[is_forward] + constraint->yield_friction[is_forward] * transverse_force;
+    double limit = constraint->yield_force[is_forward] +
+                   constraint->yield_friction[is_forward] * transverse_force;
     return is_forward ? limit : -limit;
 }
 

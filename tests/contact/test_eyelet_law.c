@@ -11,7 +11,8 @@ static vec3 law(const contact_constraint *row, vec3 u, contact_status *state)
 {
     vec3 slid = vec3_add(row->relative_displacement, u), aside = across(slid, row->normal);
     double trial = vec3_dot(row->previous_force, row->normal) - k * vec3_dot(slid, row->normal);
-    double largest = row->yield_force[trial > 0.0] + row->yield_friction[trial > 0.0] * k * vec3_norm(aside);
+    double largest =
+        row->yield_force[trial > 0.0] + row->yield_friction[trial > 0.0] * k * vec3_norm(aside);
     double yielded = fmax(fabs(trial) - largest, 0.0) / (k + row->viscous_stiffness);
     *state = yielded > 0.0 ? CONTACT_SLIP : CONTACT_STICK;
     return vec3_add_scaled(vec3_scale(aside, -k), trial - copysign(k * yielded, trial),

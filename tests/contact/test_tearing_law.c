@@ -79,7 +79,8 @@ static void any_tangent_is_the_slope(harness_source *source, void *user)
     }
     vbss_contact_linearise(&row, &t);
     expect_near(0.0, vec3_distance(t.force, vbss_contact_force(&row, vec3_zero())), 1e-12);
-    const bool is_at_friction = fabs(fabs(row.solution.normal_force) - row.yield_force[row.solution.is_forward]) < 0.02;
+    const bool is_at_friction =
+        fabs(fabs(row.solution.normal_force) - row.yield_force[row.solution.is_forward]) < 0.02;
     assert_true(is_at_friction || few_slope_error(&row, &t, 1e-10) < 1e-3 * k);
     vec3 u = harness_draw_vec3(source, -4e-5, 4e-5);
     expect_near(0.0,
