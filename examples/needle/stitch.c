@@ -32,7 +32,11 @@
 #define BORNE 1.5        /* s: after that time on the fork the right wall is at rest */
 #define BUMPS \
     1.5 /* N: felt on the way to the mark, more than that means that the needle is at the other tool */
-#define MISSED 6e-3 /* of the tip beyond the right mark without a hole; it enters at 2 to 3 mm */
+#define FARTHEST_BACK 10e-3 /* of the tip before the right mark, drawn out of that wall */
+#define EASED \
+    1.0 /* N: a needle that is drawn back to the lumen goes on back until the hand feels less, or */
+#define HARDLY_IN 2e-3 /* so much of it is in the first wall */
+#define MISSED 6e-3    /* of the tip beyond the right mark without a hole; it enters at 2 to 3 mm */
 #define SQUARE \
     0.75 /* cosine between needle and wall, beyond which the needle was square to it once; */
 #define ASLANT 0.25      /* so much of it is lost when the wall tips over */
@@ -44,9 +48,12 @@
 #define SLOWLY 0.5       /* through the left wall, whatever the hand */
 #define NEARLY 0.4e-3    /* beside the mark: with more, slower still */
 #define SPRINGS 0.05     /* s: so soon after it has entered the wall may spring off it */
-#define SEEING 0.1       /* s: what is seen is told so late */
+#define GIVING_WAY \
+    0.3 /* s, in which the needle that is in both walls is let go where their holes are */
+#define SEEING 0.1 /* s: what is seen is told so late */
 
-enum { TRIES = 5, AGAIN = 14 }; /* to take it, to enter the right wall; to come back to the left */
+enum { TRIES = 5, AGAIN = 10 }; /* to take it, to enter the right wall; to come back to the left */
+enum { RENEWALS = 3 };          /* of the whole stitch */
 enum { BACKS = 10 };            /* of a needle that drags */
 enum { PLACES = 5 };            /* of the fork on the left wall */
 
@@ -118,10 +125,16 @@ static vec miss(const stitch *t)
     return v_along(out, v_dot(to, z), z);
 }
 
-/* On the circle through the first hole and the left mark, above which its centre lies, so far beyond the hole. */
+/* On the circle through the first hole and the left mark, above which its centre lies, so far beyond the hole. In both walls it lies on that
+ * through both holes, wherever those have gone: forced to where the marks are at rest, it rubs on the holes and drags the drain along. */
 static pose crossing(const stitch *t)
 {
     vec from = t->entry, to = exit_target(t);
+    if (t->state == STITCH_DRAW) {
+        const double share = smaller(1.0, t->since / GIVING_WAY);
+        from = v_mix(from, t->hole[SITE_RIGHT], share);
+        to = v_mix(to, t->hole[SITE_LEFT], share);
+    }
     vec e1 = v_unit(v_sub(from, to)), e3 = v_unit(v_across(v3(0.0, 0.0, 1.0), e1));
     double half = 0.5 * v_distance(from, to), r = t->site.radius;
     vec centre = v_along(v_mix(from, to, 0.5), sqrt(r * r - half * half), e3);
@@ -288,6 +301,20 @@ static yielding check_yielding(stitch *t)
     return leaves ? LEAVES : wedges ? WEDGES : HOLDS;
 }
 
+/* A needle that has come back to the left wall so often may hang in the right one aslant, or far from its mark: that is entered again. */
+static void come_anew_if_vain(stitch *t)
+{
+    if (t->again <= AGAIN) {
+        return;
+    }
+    if (++t->renewed > RENEWALS) {
+        fail(t, "the left wall gives way");
+        return;
+    }
+    t->again = 0;
+    t->withdraws = t->anew = true;
+}
+
 /* The fork is set anew, so that the needle comes between its jaws, and nearer to their tips, but not beyond the mark: near its
  * edge the wall leaves it. What has left it is borne farther from its edge. */
 static void try_again(stitch *t, yielding how)
@@ -317,9 +344,7 @@ static void try_again(stitch *t, yielding how)
     hand_target(&t->left, t->left.nature.target_end / (1 + t->again));
     t->errors[SITE_LEFT] = v_scale(0.5, t->errors[SITE_LEFT]);
     enter_state(t, STITCH_EASE);
-    if (t->again > AGAIN) {
-        fail(t, "the left wall gives way");
-    }
+    come_anew_if_vain(t);
 }
 
 /* Back out of the first wall. */
@@ -385,8 +410,9 @@ static void drive(stitch *t, double dt)
         try_again(t, how);
     }
     if (t->state == STITCH_EASE) {
-        t->gone -= is_out(t) ? 0.0 : step;
-        if (t->gone <= IN_LUMEN && !t->withdraws) {
+        t->gone -= is_out(t) || t->gone < -FARTHEST_BACK ? 0.0 : step;
+        const bool is_eased = felt(&t->right) < EASED || t->gone < HARDLY_IN;
+        if (t->gone <= IN_LUMEN && is_eased && !t->withdraws) {
             enter_state(t, STITCH_CROSS);
         }
     } else if (!waits && t->gone < LONGEST) {
@@ -549,8 +575,8 @@ static void punctured(stitch *t, uint32_t id)
     }
     t->holes[side] = id;
     t->made[side] = hole;
+    t->hole[side] = v_load(hole.position);
     if (side == SITE_RIGHT && t->state == STITCH_ENTER) {
-        t->hole = v_load(hole.position);
         t->gone = hole.arc_length;
         t->entry = v_add(site_mark_at_rest(&t->site, SITE_RIGHT), t->beside);
         enter_state(t, STITCH_CROSS);
@@ -562,7 +588,7 @@ static void punctured(stitch *t, uint32_t id)
 /* To the first mark, with all that was learnt of the walls forgotten. */
 static void begin_again(stitch *t)
 {
-    t->withdraws = false;
+    t->withdraws = t->anew = false;
     t->beside = t->trim = t->fork = v3(0.0, 0.0, 0.0);
     t->along = t->square = 0.0;
     enter_support(t, SUPPORT_AWAY);
@@ -584,6 +610,11 @@ static void withdrawn(stitch *t)
 {
     t->holes[SITE_RIGHT] = 0;
     t->punctures = 0;
+    if (t->anew || !t->withdraws) {
+        stitch_set_error(t, SITE_RIGHT);
+        stitch_set_error(t, SITE_LEFT);
+        begin_again(t);
+    }
 }
 
 /* The tip has left its hole at that side again. */
@@ -591,16 +622,29 @@ static void lose_hole(stitch *t, int side, stitch_state then)
 {
     t->holes[side] = 0;
     t->punctures--;
+    t->out = side == SITE_LEFT ? 0.0 : t->out;
     enter_state(t, then);
 }
 
-/* Drawn back a little, the needle may leave its hole in the left wall. */
+/* Drawn back a little, or as the wall springs back, the needle may leave its hole in the left wall. */
 static bool is_drawn_out(stitch *t, uint32_t id)
 {
-    const bool is = t->state == STITCH_DRAW && t->back > 0.0 && id == t->holes[SITE_LEFT];
+    const bool is = id == t->holes[SITE_LEFT];
     if (is) {
         t->back = 0.0;
         lose_hole(t, SITE_LEFT, STITCH_EASE);
+        t->again++;
+        come_anew_if_vain(t);
+    }
+    return is;
+}
+
+/* Back out of the first wall, by intention or not. */
+static bool is_withdrawn(stitch *t, uint32_t id)
+{
+    const bool is = id == t->holes[SITE_RIGHT] && (t->mends || t->anew || !t->withdraws);
+    if (is) {
+        withdrawn(t);
     }
     return is;
 }
@@ -628,20 +672,18 @@ vbss_result stitch_observe(stitch *t)
         if (e->kind == VBSS_SCENE_EVENT_PUNCTURE) {
             punctured(t, e->id);
         } else if (e->kind == VBSS_SCENE_EVENT_WITHDRAWN &&
-                   (sprang_off(t, e->id) || is_drawn_out(t, e->id))) {
+                   (sprang_off(t, e->id) || is_drawn_out(t, e->id) || is_withdrawn(t, e->id))) {
             continue;
-        } else if (e->kind == VBSS_SCENE_EVENT_WITHDRAWN && t->withdraws && t->mends) {
-            withdrawn(t);
         } else if (e->kind == VBSS_SCENE_EVENT_TORN || e->kind == VBSS_SCENE_EVENT_WITHDRAWN) {
             t->others++;
             fail(t, e->kind == VBSS_SCENE_EVENT_TORN ? "torn out of the jaws" : "withdrawn");
         }
     }
-    if (t->holes[SITE_RIGHT] != 0 && site_find_hole(&t->site, t->holes[SITE_RIGHT], &hole)) {
-        t->hole = v_mix(t->hole, v_load(hole.position), 0.01);
-    }
-    if (t->holes[SITE_LEFT] != 0 && site_find_hole(&t->site, t->holes[SITE_LEFT], &hole)) {
-        t->out = hole.arc_length;
+    for (int side = 0; side < 2; side++) {
+        if (t->holes[side] != 0 && site_find_hole(&t->site, t->holes[side], &hole)) {
+            t->hole[side] = v_mix(t->hole[side], v_load(hole.position), 0.01);
+            t->out = side == SITE_LEFT ? hole.arc_length : t->out;
+        }
     }
     return VBSS_OK;
 }

@@ -49,8 +49,9 @@ typedef struct stitch {
     pose held;        /* the needle in the frame of the pose that the right tool is commanded to */
     pose from;        /* of the right tool, when it lifts */
     vec beside;       /* so far from both marks it is stitched, knowingly */
-    bool withdraws;   /* and knowingly drawn back out of the first wall */
-    bool mends;       /* a withdrawn needle stays out until stitch_mend is called */
+    bool withdraws;   /* and drawn back out of the first wall */
+    bool anew;        /* to come to it again, as the left wall gives way */
+    bool mends;       /* one that is withdrawn knowingly stays out until stitch_mend is called */
     vec errors[2];    /* of aim, at the left and the right mark */
     double target_at; /* their size, m */
     uint64_t random;
@@ -63,10 +64,11 @@ typedef struct stitch {
     vec pressed;    /* where the needle pressed on it then, from the mark */
     vec fork;       /* so far from its usual place the fork is set on the left wall */
     int again;      /* times that the needle has been drawn back from it */
+    int renewed;    /* times that it has been withdrawn for it */
     int relieved;   /* times that it has gone back in its hole there, because it dragged */
     double back;    /* so far it still has to, m; below 0: it has gone on since */
     double dragged; /* N, that the hand felt then */
-    vec hole;       /* the first, likewise */
+    vec hole[2];    /* left, right, likewise */
     vec entry;      /* where the right mark is taken to be while it is entered */
     double gone;    /* the tip beyond the right mark along the way it shall go, m */
     double along;   /* share of the change from the circle of entry to that through both marks */

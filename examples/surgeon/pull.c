@@ -27,7 +27,7 @@
 #define NOTHING 0.05        /* N */
 #define A_MOMENT 0.2        /* s */
 #define MAX_EASING_TIME 3.0 /* s */
-#define PATIENCE 6.0        /* s, of every state but the last */
+#define PATIENCE 6.0        /* s, of every state but the last, at the speed of an expert */
 #define LEFT_PARK v3(-0.06, -0.05, 0.06)
 #define RIGHT_PARK v3(0.05, -0.06, 0.05)
 
@@ -238,7 +238,7 @@ void pull_step(pull_run *p, double dt)
     default:
         break;
     }
-    if (p->since > PATIENCE && p->state < PULL_DRAW) {
+    if (p->since * t->left.nature.speed > PATIENCE && p->state < PULL_DRAW) {
         fail(p, pull_name(p->state));
     }
 }

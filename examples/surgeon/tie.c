@@ -180,6 +180,15 @@ static void choose_direction(surgeon *s)
     }
 }
 
+/* A throw that is drawn down along a straight tail is a half hitch, so W gives. What it gives may open the throw below: not over a slit that opens. */
+static void choose_giving(surgeon *s)
+{
+    throw_plan *p = &s->tie.plan;
+    if (s->stage == SURGEON_THIRD && p->even) {
+        p->gives = s->gap < SHUT_AGAIN;
+    }
+}
+
 static void watch_seat(surgeon *s, double weaker, double dt)
 {
     bool met = s->tie.state == THROW_SEAT && s->gap < SPRUNG_THIRD && weaker > SEATED;
@@ -249,10 +258,11 @@ vbss_result surgeon_tie(surgeon *s, double dt)
     }
     TRY(surgeon_observe(s));
     TRY(watch_below(s));
+    choose_giving(s);
     TRY(throw_step(&s->tie, dt));
     if (is_led(s)) {
         lead_thread(s);
-    } else if (s->stage != SURGEON_TIE && s->tie.state >= THROW_DRAW) {
+    } else if (s->tie.state >= THROW_DRAW) {
         raise_needle(s);
     }
     choose_direction(s);

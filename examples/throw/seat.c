@@ -162,7 +162,7 @@ static vec outward(const throw_run *t, double x)
 }
 
 /* The tail was drawn through straight, and the limb lies about it: pulled like that, the throw is a half hitch. W gives until the tail bends as
- * well, while C draws the turn down. Given on top of a tight throw, what it gives opens that one. */
+ * well, while C draws the turn down. What it gives may open the throw below. */
 static bool is_even(throw_run *t, double dt)
 {
     senses *s = t->see;
@@ -185,7 +185,7 @@ static bool is_even(throw_run *t, double dt)
 /* Share of what C pulls with, that W does: what bears more becomes straight. */
 static double share_of_w(const throw_run *t)
 {
-    return t->plan.gives ? clamp(1.0 + 2.0 * (t->slip + 0.5 * BENDS), 0.3, 1.0) : 1.0;
+    return clamp(1.0 + 2.0 * (t->slip + 0.5 * BENDS), 0.3, 1.0);
 }
 
 /* Both hands are low on either side, the tail is straight, and C draws the limb round it: the turn runs down to the throw below.

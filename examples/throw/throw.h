@@ -63,8 +63,7 @@ typedef struct throw_plan {
     bool flat; /* so closed, it is pulled flat as well, with both ends bent, and tight then */
     /* The hands see which end bends, and W draws a tail that bends alone; only then the throw is pulled. */
     bool even;
-    /* W gives with a tail that is straight until it bends as the limb does, and pulls less meanwhile. */
-    bool gives;
+    bool gives; /* W gives with a tail that is straight until it bends as the limb does */
     /* Both hands go back to where the throw below was pulled from, pull from there, and then, with nothing slack meanwhile, the flat way. */
     bool back;
     /* Further ones of the tail, farther from its end, if it is missed or would tie something else. */
