@@ -52,10 +52,14 @@
     0.3 /* s, in which the needle that is in both walls is let go where their holes are */
 #define SEEING 0.1 /* s: what is seen is told so late */
 
-enum { TRIES = 5, AGAIN = 10 }; /* to take it, to enter the right wall; to come back to the left */
-enum { RENEWALS = 3 };          /* of the whole stitch */
-enum { BACKS = 10 };            /* of a needle that drags */
-enum { PLACES = 5 };            /* of the fork on the left wall */
+enum {
+    TRIES = 5,
+    FORKED = 10,
+    AGAIN = 10
+};                     /* to take it, to enter the right wall; to come back to the left */
+enum { RENEWALS = 3 }; /* of the whole stitch */
+enum { BACKS = 10 };   /* of a needle that drags */
+enum { PLACES = 5 };   /* of the fork on the left wall */
 
 static const char *const names[] = {"lie",   "reach", "lower", "close", "lift", "bring", "aim",
                                     "enter", "cross", "leave", "ease",  "draw", "done",  "failed"};
@@ -125,15 +129,21 @@ static vec miss(const stitch *t)
     return v_along(out, v_dot(to, z), z);
 }
 
+/* Not farther than that from where it is at rest: a drain that is followed on and on is torn off. */
+static vec toward_hole(vec at_rest, vec hole, double share)
+{
+    return v_along(at_rest, share, v_limit(v_sub(hole, at_rest), FOLLOW));
+}
+
 /* On the circle through the first hole and the left mark, above which its centre lies, so far beyond the hole. In both walls it lies on that
- * through both holes, wherever those have gone: forced to where the marks are at rest, it rubs on the holes and drags the drain along. */
+ * through both holes: forced to where the marks are at rest, it rubs on the holes and drags the drain along. */
 static pose crossing(const stitch *t)
 {
     vec from = t->entry, to = exit_target(t);
     if (t->state == STITCH_DRAW) {
         const double share = smaller(1.0, t->since / GIVING_WAY);
-        from = v_mix(from, t->hole[SITE_RIGHT], share);
-        to = v_mix(to, t->hole[SITE_LEFT], share);
+        from = toward_hole(from, t->hole[SITE_RIGHT], share);
+        to = toward_hole(to, t->hole[SITE_LEFT], share);
     }
     vec e1 = v_unit(v_sub(from, to)), e3 = v_unit(v_across(v3(0.0, 0.0, 1.0), e1));
     double half = 0.5 * v_distance(from, to), r = t->site.radius;
@@ -230,10 +240,11 @@ static void set_fork_again(stitch *t)
     static const double nearer[TRIES] = {0.025, 0.05, 0.0125, 0.0375, 0.0};
     hand_target(&t->left, t->left.nature.target_end);
     if (t->left_is_free) {
-        hand_through(&t->left, v_along(STITCH_LEFT_TROCAR, -nearer[t->forked], v3(0.0, 1.0, 0.0)));
+        hand_through(&t->left,
+                     v_along(STITCH_LEFT_TROCAR, -nearer[t->forked % TRIES], v3(0.0, 1.0, 0.0)));
     }
     enter_support(t, SUPPORT_OVER);
-    if (++t->forked == TRIES) {
+    if (++t->forked == FORKED) {
         fail(t, "the right wall is not supported");
     }
 }
