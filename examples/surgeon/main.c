@@ -277,7 +277,7 @@ static void run(watch w, bool whole, tally *t)
 int main(int count, char **words)
 {
     use_decimal_point();
-    watch w = {.options = {.until = SURGEON_DONE}, .time_limit = 250.0, .every = 1e9};
+    watch w = {.options = {.until = SURGEON_DONE}, .time_limit = 600.0, .every = 1e9};
     vbss_solver_options solver = vbss_solver_options_default();
     tally t = {.seeds = 1, .smallest = -1};
     bool whole = true; /* until a last stage is named */

@@ -194,7 +194,7 @@ static const char *notation_after(surgeon_stage stage)
 static bool is_tail_drawn_in(surgeon *s)
 {
     const throw_run *t = &s->tie;
-    return s->mends && s->stage == SURGEON_TIE && t->state == THROW_PLACE && t->since == 0.0 &&
+    return s->stage == SURGEON_TIE && t->state == THROW_PLACE && t->since == 0.0 &&
            pull_tail(&s->stitch) < TAIL_SHORT;
 }
 

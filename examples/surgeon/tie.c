@@ -14,9 +14,10 @@
 #define WINDING \
     0.03 /* N, that the right hand gives way to while it winds: more draws the tail in */
 #define DRAWN_IN 9e-3 /* m of tail, that can be taken again */
-#define LOW 0.02      /* m below the drain's top, to where both hands pull */
-#define ENOUGH 1.0    /* N, of both hands, if the slit is shut */
-#define SHUT 0.45e-3  /* m, between the edges' middles: closer than lips that meet */
+#define ALMOST_OUT 6e-3
+#define LOW 0.02     /* m below the drain's top, to where both hands pull */
+#define ENOUGH 1.0   /* N, of both hands, if the slit is shut */
+#define SHUT 0.45e-3 /* m, between the edges' middles: closer than lips that meet */
 /* Pulled from where the first was: open no wider than that between the lips, both hands pull so much; or less, if the drain goes with one of
  * them. */
 #define SHUT_AGAIN 0.3e-3
@@ -237,12 +238,13 @@ static vbss_result watch_below(surgeon *s)
     return VBSS_OK;
 }
 
-/* C has hooked the limb and draws the thread through the drain. Without a coach, who asks for the tail to be drawn out again, the hands wind
- * on: a tail of 4 mm has been enough. */
+/* C draws the thread through the drain. With a coach, who asks for the tail to be drawn out again, the hands stop earlier than alone: a tail of
+ * 4 mm has been enough, and one of 3.4 mm was lost as the limb was unwound. */
 static void watch_tail(surgeon *s)
 {
     const bool winds = s->tie.state == THROW_ORBIT && s->stage == SURGEON_TIE;
-    if (s->mends && winds && !s->tie.unwinds && pull_tail(&s->stitch) < DRAWN_IN) {
+    const double least = s->mends ? DRAWN_IN : ALMOST_OUT;
+    if (winds && !s->tie.unwinds && pull_tail(&s->stitch) < least) {
         throw_fail(&s->tie, "tail drawn in");
     }
 }

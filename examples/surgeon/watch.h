@@ -7,7 +7,7 @@
 #include "surgeon/surgeon.h"
 #include "surgeon/task.h"
 
-enum { WATCH_STEPS = 200000 }; /* of 1 ms, at most */
+enum { WATCH_STEPS = 600000 }; /* of 1 ms, at most */
 
 typedef struct watch_step {
     double time; /* of the CPU, s */
