@@ -232,13 +232,19 @@ static double span_start_arc(const suture_curve *curve, uint32_t k)
            (rest[k] - rest[k - 1]) / 6.0;
 }
 
+/* Starts of spans increase, as rest lengths are positive. */
 uint32_t vbss_suture_span_at(const suture_curve *curve, double arc)
 {
-    uint32_t k = 0, last = last_span(curve);
-    while (k < last && arc > span_start_arc(curve, k + 1)) {
-        k++;
+    uint32_t low = 0, high = last_span(curve);
+    while (low < high) {
+        const uint32_t middle = high - (high - low) / 2;
+        if (arc > span_start_arc(curve, middle)) {
+            low = middle;
+        } else {
+            high = middle - 1;
+        }
     }
-    return k;
+    return low;
 }
 
 /* Descends from a span to the nearest local minimum among spans low to high. */
