@@ -319,14 +319,14 @@ static void pull_alike(throw_run *t, double dt)
     double wanted = smaller(full, 0.1 + RISE * (t->since - t->closed));
     double of_w = smaller(wanted, s->tension_c + more - lean);
     double of_c = smaller(wanted, s->tension_w + more + lean);
+    const double share = t->plan.even ? share_of_w(t) : 1.0;
     if (t->plan.even) {
-        const double share = share_of_w(t);
         of_w = smaller(of_w, share * wanted);
         of_c = smaller(wanted, s->tension_w / share + more + lean);
     }
     pull(s->w, &s->tool_w, &t->carrot_w, outward(t, FAR_W), s->tension_w, of_w, dt);
     pull(s->c, &s->tool_c, &t->carrot_c, outward(t, FAR_C), s->tension_c, of_c, dt);
-    t->clear += s->tension_w > 0.9 * full && s->tension_c > 0.9 * full ? dt : 0.0;
+    t->clear += s->tension_w > 0.9 * share * full && s->tension_c > 0.9 * full ? dt : 0.0;
 }
 
 /* The tail gets straight, and the limb is hitched round it. */
