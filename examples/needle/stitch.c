@@ -52,11 +52,9 @@
     0.3 /* s, in which the needle that is in both walls is let go where their holes are */
 #define SEEING 0.1 /* s: what is seen is told so late */
 
-enum {
-    TRIES = 5,
-    FORKED = 10,
-    AGAIN = 10
-};                     /* to take it, to enter the right wall; to come back to the left */
+enum { TRIES = 5 };    /* to take it, to enter the right wall */
+enum { FORKED = 10 };  /* settings of the fork under that */
+enum { AGAIN = 10 };   /* to come back to the left */
 enum { RENEWALS = 3 }; /* of the whole stitch */
 enum { BACKS = 10 };   /* of a needle that drags */
 enum { PLACES = 5 };   /* of the fork on the left wall */

@@ -52,6 +52,7 @@ typedef struct surgeon {
     double shut, at_rest;   /* so long, while both hands pull hard; or less, s */
     double met;             /* so long, while both pull at all, s */
     bool seated;            /* it was for a moment, and has not gaped since */
+    double slack;           /* of the first throw as it is planned */
     int retaken;            /* times that the throw was pulled again after its tail was let go */
     int returned;           /* times that a throw was tied again that had come undone */
     double undone;          /* so long, while the limb is wound, s */

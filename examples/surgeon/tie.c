@@ -14,7 +14,10 @@
 #define WINDING \
     0.03 /* N, that the right hand gives way to while it winds: more draws the tail in */
 #define DRAWN_IN 9e-3 /* m of tail, that can be taken again */
-#define ALMOST_OUT 6e-3
+/* Of a tail, m, from which on the limb is wound more loosely, and with which as loosely as it is; radius of the orbit over the free length then. */
+#define ROOMY 14e-3
+#define NEARLY_OUT 6e-3
+#define LOOSE 0.85
 #define LOW 0.02     /* m below the drain's top, to where both hands pull */
 #define ENOUGH 1.0   /* N, of both hands, if the slit is shut */
 #define SHUT 0.45e-3 /* m, between the edges' middles: closer than lips that meet */
@@ -100,6 +103,7 @@ vbss_result surgeon_begin_tie(surgeon *s)
     surgeon_plan_tie(&plan);
     surgeon_spoil(s, &plan);
     surgeon_hold_level(s);
+    s->slack = plan.slack;
     throw_begin(&s->tie, &s->see, &plan);
     return VBSS_OK;
 }
@@ -238,13 +242,17 @@ static vbss_result watch_below(surgeon *s)
     return VBSS_OK;
 }
 
-/* C draws the thread through the drain. With a coach, who asks for the tail to be drawn out again, the hands stop earlier than alone: a tail of
- * 4 mm has been enough, and one of 3.4 mm was lost as the limb was unwound. */
+/* C draws the thread through the drain. The shorter the tail, the more loosely the limb is wound. A coach asks for it to be drawn out again;
+ * without one the hands wind on: a tail of 4 mm has been enough. */
 static void watch_tail(surgeon *s)
 {
     const bool winds = s->tie.state == THROW_ORBIT && s->stage == SURGEON_TIE;
-    const double least = s->mends ? DRAWN_IN : ALMOST_OUT;
-    if (winds && !s->tie.unwinds && pull_tail(&s->stitch) < least) {
+    const double tail = pull_tail(&s->stitch);
+    if (s->stage == SURGEON_TIE && !s->tie.unwinds) {
+        const double share = clamp((tail - NEARLY_OUT) / (ROOMY - NEARLY_OUT), 0.0, 1.0);
+        s->tie.plan.slack = LOOSE + (s->slack - LOOSE) * share;
+    }
+    if (s->mends && winds && !s->tie.unwinds && tail < DRAWN_IN) {
         throw_fail(&s->tie, "tail drawn in");
     }
 }
