@@ -33,7 +33,7 @@
 #define BUMPS \
     1.5 /* N: felt on the way to the mark, more than that means that the needle is at the other tool */
 #define FARTHEST_BACK 10e-3 /* of the tip before the right mark, drawn out of that wall */
-#define EASED \
+#define RELIEVED \
     1.0 /* N: a needle that is drawn back to the lumen goes on back until the hand feels less, or */
 #define HARDLY_IN 2e-3 /* so much of it is in the first wall */
 #define MISSED 6e-3    /* of the tip beyond the right mark without a hole; it enters at 2 to 3 mm */
@@ -48,7 +48,7 @@
 #define SLOWLY 0.5       /* through the left wall, whatever the hand */
 #define NEARLY 0.4e-3    /* beside the mark: with more, slower still */
 #define SPRINGS 0.05     /* s: so soon after it has entered the wall may spring off it */
-#define GIVING_WAY \
+#define TO_HOLES \
     0.3 /* s, in which the needle that is in both walls is let go where their holes are */
 #define SEEING 0.1 /* s: what is seen is told so late */
 
@@ -139,7 +139,7 @@ static pose crossing(const stitch *t)
 {
     vec from = t->entry, to = exit_target(t);
     if (t->state == STITCH_DRAW) {
-        const double share = smaller(1.0, t->since / GIVING_WAY);
+        const double share = smaller(1.0, t->since / TO_HOLES);
         from = toward_hole(from, t->hole[SITE_RIGHT], share);
         to = toward_hole(to, t->hole[SITE_LEFT], share);
     }
@@ -420,8 +420,8 @@ static void drive(stitch *t, double dt)
     }
     if (t->state == STITCH_EASE) {
         t->gone -= is_out(t) || t->gone < -FARTHEST_BACK ? 0.0 : step;
-        const bool is_eased = felt(&t->right) < EASED || t->gone < HARDLY_IN;
-        if (t->gone <= IN_LUMEN && is_eased && !t->withdraws) {
+        const bool is_relieved = felt(&t->right) < RELIEVED || t->gone < HARDLY_IN;
+        if (t->gone <= IN_LUMEN && is_relieved && !t->withdraws) {
             enter_state(t, STITCH_CROSS);
         }
     } else if (!waits && t->gone < LONGEST) {
