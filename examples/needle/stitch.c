@@ -48,14 +48,13 @@
 #define SLOWLY 0.5       /* through the left wall, whatever the hand */
 #define NEARLY 0.4e-3    /* beside the mark: with more, slower still */
 #define SPRINGS 0.05     /* s: so soon after it has entered the wall may spring off it */
-#define TO_HOLES \
-    0.3 /* s, in which the needle that is in both walls is let go where their holes are */
-#define SEEING 0.1 /* s: what is seen is told so late */
+#define TO_HOLES 0.3     /* s, in which the circle moves from the marks to the holes */
+#define SEEING 0.1       /* s, delay of what is seen */
 
 enum { TRIES = 5 };    /* to take it, to enter the right wall */
 enum { FORKED = 10 };  /* settings of the fork under that */
 enum { AGAIN = 10 };   /* to come back to the left */
-enum { RENEWALS = 3 }; /* of the whole stitch */
+enum { RESTARTS = 3 }; /* of the whole stitch */
 enum { BACKS = 10 };   /* of a needle that drags */
 enum { PLACES = 5 };   /* of the fork on the left wall */
 
@@ -127,14 +126,14 @@ static vec miss(const stitch *t)
     return v_along(out, v_dot(to, z), z);
 }
 
-/* Not farther than that from where it is at rest: a drain that is followed on and on is torn off. */
+/* By FOLLOW at most: a needle that follows its holes without limit tears the drain off. */
 static vec toward_hole(vec at_rest, vec hole, double share)
 {
     return v_along(at_rest, share, v_limit(v_sub(hole, at_rest), FOLLOW));
 }
 
-/* On the circle through the first hole and the left mark, above which its centre lies, so far beyond the hole. In both walls it lies on that
- * through both holes: forced to where the marks are at rest, it rubs on the holes and drags the drain along. */
+/* On the circle through the first hole and the left mark, above which its centre lies, so far beyond the hole. Once the needle is in both walls, the
+ * circle goes through both holes: one through the marks at rest presses on the holes, and friction drags the drain along. */
 static pose crossing(const stitch *t)
 {
     vec from = t->entry, to = exit_target(t);
@@ -310,18 +309,19 @@ static yielding check_yielding(stitch *t)
     return leaves ? LEAVES : wedges ? WEDGES : HOLDS;
 }
 
-/* A needle that has come back to the left wall so often may hang in the right one aslant, or far from its mark: that is entered again. */
-static void come_anew_if_vain(stitch *t)
+/* After so many tries at the left wall the first hole may be the cause: it is aslant or far from its mark. The needle is withdrawn, and the right wall is
+ * entered again. */
+static void restart_if_often_tried(stitch *t)
 {
     if (t->again <= AGAIN) {
         return;
     }
-    if (++t->renewed > RENEWALS) {
+    if (++t->restart_count > RESTARTS) {
         fail(t, "the left wall gives way");
         return;
     }
     t->again = 0;
-    t->withdraws = t->anew = true;
+    t->withdraws = t->restarts = true;
 }
 
 /* The fork is set anew, so that the needle comes between its jaws, and nearer to their tips, but not beyond the mark: near its
@@ -353,7 +353,7 @@ static void try_again(stitch *t, yielding how)
     hand_target(&t->left, t->left.nature.target_end / (1 + t->again));
     t->errors[SITE_LEFT] = v_scale(0.5, t->errors[SITE_LEFT]);
     enter_state(t, STITCH_EASE);
-    come_anew_if_vain(t);
+    restart_if_often_tried(t);
 }
 
 /* Back out of the first wall. */
@@ -597,7 +597,7 @@ static void punctured(stitch *t, uint32_t id)
 /* To the first mark, with all that was learnt of the walls forgotten. */
 static void begin_again(stitch *t)
 {
-    t->withdraws = t->anew = false;
+    t->withdraws = t->restarts = false;
     t->beside = t->trim = t->fork = v3(0.0, 0.0, 0.0);
     t->along = t->square = 0.0;
     enter_support(t, SUPPORT_AWAY);
@@ -619,7 +619,7 @@ static void withdrawn(stitch *t)
 {
     t->holes[SITE_RIGHT] = 0;
     t->punctures = 0;
-    if (t->anew || !t->withdraws) {
+    if (t->restarts || !t->withdraws) {
         stitch_set_error(t, SITE_RIGHT);
         stitch_set_error(t, SITE_LEFT);
         begin_again(t);
@@ -643,7 +643,7 @@ static bool is_drawn_out(stitch *t, uint32_t id)
         t->back = 0.0;
         lose_hole(t, SITE_LEFT, STITCH_EASE);
         t->again++;
-        come_anew_if_vain(t);
+        restart_if_often_tried(t);
     }
     return is;
 }
@@ -651,7 +651,7 @@ static bool is_drawn_out(stitch *t, uint32_t id)
 /* Back out of the first wall, by intention or not. */
 static bool is_withdrawn(stitch *t, uint32_t id)
 {
-    const bool is = id == t->holes[SITE_RIGHT] && (t->mends || t->anew || !t->withdraws);
+    const bool is = id == t->holes[SITE_RIGHT] && (t->mends || t->restarts || !t->withdraws);
     if (is) {
         withdrawn(t);
     }

@@ -50,28 +50,28 @@ typedef struct stitch {
     pose from;        /* of the right tool, when it lifts */
     vec beside;       /* so far from both marks it is stitched, knowingly */
     bool withdraws;   /* and drawn back out of the first wall */
-    bool anew;        /* to come to it again, as the left wall gives way */
+    bool restarts;    /* and then entered again, because the left wall gives way */
     bool mends;       /* one that is withdrawn knowingly stays out until stitch_mend is called */
     vec errors[2];    /* of aim, at the left and the right mark */
     double target_at; /* their size, m */
     uint64_t random;
-    bool misses;    /* the tip goes back from a right wall that it has missed */
-    int forked;     /* times that the fork was set again under the right wall */
-    int missed;     /* so many times */
-    vec marks[2];   /* as seen, a little late */
-    vec trim;       /* of the aim at the left mark */
-    double square;  /* cosine between needle and left wall, the largest of this try */
-    vec pressed;    /* where the needle pressed on it then, from the mark */
-    vec fork;       /* so far from its usual place the fork is set on the left wall */
-    int again;      /* times that the needle has been drawn back from it */
-    int renewed;    /* times that it has been withdrawn for it */
-    int relieved;   /* times that it has gone back in its hole there, because it dragged */
-    double back;    /* so far it still has to, m; below 0: it has gone on since */
-    double dragged; /* N, that the hand felt then */
-    vec hole[2];    /* left, right, likewise */
-    vec entry;      /* where the right mark is taken to be while it is entered */
-    double gone;    /* the tip beyond the right mark along the way it shall go, m */
-    double along;   /* share of the change from the circle of entry to that through both marks */
+    bool misses;       /* the tip goes back from a right wall that it has missed */
+    int forked;        /* times that the fork was set again under the right wall */
+    int missed;        /* so many times */
+    vec marks[2];      /* as seen, a little late */
+    vec trim;          /* of the aim at the left mark */
+    double square;     /* cosine between needle and left wall, the largest of this try */
+    vec pressed;       /* where the needle pressed on it then, from the mark */
+    vec fork;          /* so far from its usual place the fork is set on the left wall */
+    int again;         /* times that the needle has been drawn back from it */
+    int restart_count; /* times that the needle has been withdrawn for that */
+    int relieved;      /* times that it has gone back in its hole there, because it dragged */
+    double back;       /* so far it still has to, m; below 0: it has gone on since */
+    double dragged;    /* N, that the hand felt then */
+    vec hole[2];       /* left, right, likewise */
+    vec entry;         /* where the right mark is taken to be while it is entered */
+    double gone;       /* the tip beyond the right mark along the way it shall go, m */
+    double along;      /* share of the change from the circle of entry to that through both marks */
     uint32_t punctures, others; /* holes made; tears, slips out, withdrawals */
     uint32_t holes[2];          /* their ids: left, right */
     vbss_scene_hole made[2];    /* when made */

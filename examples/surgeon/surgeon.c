@@ -4,7 +4,7 @@
 
 #define TAIL_SHORT 15e-3
 #define TAIL_LONG 20e-3
-#define TAIL_JAMMED 25e-3 /* what has jammed, and is eased */
+#define TAIL_JAMMED 25e-3 /* of a tail that has jammed */
 #define GAP_OPEN 1.5e-3
 #define GAP_SHUT 0.5e-3
 #define GAP_HELD 1e-3 /* under the double: with less the second throw is pulled from behind */

@@ -14,7 +14,8 @@
 #define WINDING \
     0.03 /* N, that the right hand gives way to while it winds: more draws the tail in */
 #define DRAWN_IN 9e-3 /* m of tail, that can be taken again */
-/* Of a tail, m, from which on the limb is wound more loosely, and with which as loosely as it is; radius of the orbit over the free length then. */
+/* Length of a tail, m, below which the limb is wound more loosely, and at which it is loosest; radius of the orbit over the free length there. Chosen:
+ * tails of 4 mm have been enough, others have slipped out. */
 #define ROOMY 14e-3
 #define NEARLY_OUT 6e-3
 #define LOOSE 0.85
@@ -185,7 +186,8 @@ static void choose_direction(surgeon *s)
     }
 }
 
-/* A throw that is drawn down along a straight tail is a half hitch, so W gives. What it gives may open the throw below: not over a slit that opens. */
+/* A throw that is drawn down along a straight tail is a half hitch, so W gives. It does so only while the slit is shut, because slack can open the throw
+ * below. */
 static void choose_giving(surgeon *s)
 {
     throw_plan *p = &s->tie.plan;
@@ -242,17 +244,21 @@ static vbss_result watch_below(surgeon *s)
     return VBSS_OK;
 }
 
-/* C draws the thread through the drain. The shorter the tail, the more loosely the limb is wound. A coach asks for it to be drawn out again;
- * without one the hands wind on: a tail of 4 mm has been enough. */
+/* C draws the thread through the drain as it winds. The shorter the tail, the more loosely the limb is wound. */
+static void choose_slack(surgeon *s)
+{
+    if (s->stage == SURGEON_TIE && !s->tie.unwinds) {
+        const double more = pull_tail(&s->stitch) - NEARLY_OUT;
+        const double share = clamp(more / (ROOMY - NEARLY_OUT), 0.0, 1.0);
+        s->tie.plan.slack = LOOSE + (s->slack - LOOSE) * share;
+    }
+}
+
+/* A coach asks for a short tail to be drawn out again. Without one the hands wind on: a tail of 4 mm has been enough. */
 static void watch_tail(surgeon *s)
 {
     const bool winds = s->tie.state == THROW_ORBIT && s->stage == SURGEON_TIE;
-    const double tail = pull_tail(&s->stitch);
-    if (s->stage == SURGEON_TIE && !s->tie.unwinds) {
-        const double share = clamp((tail - NEARLY_OUT) / (ROOMY - NEARLY_OUT), 0.0, 1.0);
-        s->tie.plan.slack = LOOSE + (s->slack - LOOSE) * share;
-    }
-    if (s->mends && winds && !s->tie.unwinds && tail < DRAWN_IN) {
+    if (s->mends && winds && !s->tie.unwinds && pull_tail(&s->stitch) < DRAWN_IN) {
         throw_fail(&s->tie, "tail drawn in");
     }
 }
@@ -260,6 +266,7 @@ static void watch_tail(surgeon *s)
 vbss_result surgeon_tie(surgeon *s, double dt)
 {
     sway(s, dt);
+    choose_slack(s);
     watch_tail(s);
     if (s->stage == SURGEON_TIE) { /* both come out of the drain */
         find_roots(s);

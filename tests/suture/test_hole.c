@@ -40,7 +40,7 @@ static void needle_is_held_by_what_its_tip_has_passed(void **state)
         hole.max_arc = hole.entry_arc + gone;
         double share = fmax(0.0, 1.0 - gone / c.tip_length);
         double forward = c.hole_force + share * (c.puncture_force - c.hole_force);
-        for (int j = 0; j <= 4; j++) { /* what was cut stays cut */
+        for (int j = 0; j <= 4; j++) { /* drawn back, the force against advance stays */
             hole.arc = hole.entry_arc + 0.25 * j * gone;
             const double back = c.hole_force * fmin(1.0, 0.25 * j * gone / c.tip_length);
             const hole_yield_limit b = limit_at(&hole, &c, &line);
