@@ -129,7 +129,7 @@ def check_live(viewer, folder):
 
 
 def check_needle(viewer, folder):
-    """The needle lies as examples/needle/stitch.c lays it for steady hands; it is taken where they take it."""
+    """The needle lies as examples/needle/stitch_create.c lays it for steady hands; it is taken where they take it."""
     radius, along = 10.5e-3, 0.64 * math.pi
     place = (0.035 - radius * math.cos(along), -0.005 - radius * math.sin(along))
     log = folder / "needle.vbss"
