@@ -17,7 +17,7 @@
 #define SLACK_TAIL 0.75
 #define SLACK_THIRD 0.9
 #define MIN_HEIGHT 5e-3   /* m above the drain's top, of W then */
-#define LOW 0.015         /* m below the drain's top, to where both pull: the floor is not far */
+#define LOW 0.012         /* m below the drain's top, to where both pull: just above the floor */
 #define FAR 0.05          /* m farther out than C may be already */
 #define ASKEW (-PI / 4.0) /* so that the ends do not go straight back over what is tied */
 #define PULL \

@@ -3,7 +3,11 @@
 #include <string.h>
 
 #define SLACK 15e-3      /* m, by which the needle comes nearer to the drain */
-#define FROM_HOLE 4.5e-3 /* m, to where the tail is taken */
+/* Where the tail is taken: in its middle, but so far from the hole, m, that the jaws stay clear of the drain. Missed, it is taken so much farther out, but that far
+ * from its end. */
+#define FROM_HOLE 4.5e-3
+#define FARTHER 1.5e-3
+#define FROM_END 2.5e-3
 #define OPENING 0.6      /* of the handle */
 #define COMING 0.06      /* m/s */
 #define GIVING 0.05      /* m/s, of the needle */
@@ -40,8 +44,10 @@ static bool is_aside(const lengthen_run *l)
 
 static uint32_t place(const lengthen_run *l)
 {
-    const uint32_t behind = (uint32_t)(FROM_HOLE / SEGMENT);
-    return l->see->tail_root > behind ? l->see->tail_root - behind : 0;
+    const double tail = SEGMENT * l->see->tail_root;
+    const double middle = larger(FROM_HOLE, 0.5 * tail) + FARTHER * l->grip.tries;
+    const double from_end = larger(tail - middle, smaller(FROM_END, tail - FROM_HOLE));
+    return (uint32_t)(larger(from_end, 0.0) / SEGMENT);
 }
 
 void lengthen_begin(lengthen_run *l, pull_run *pull, senses *see)
