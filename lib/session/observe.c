@@ -208,6 +208,18 @@ static void observe_drain(const session_object *s, const session_bodies *b,
         vec3_sub(d->centre, vec3_lerp(observed->lips[0], observed->lips[1], 0.5));
 }
 
+/* If the thread has been cut. */
+static void observe_cut(const session_object *s, uint32_t entry_count,
+                        session_observation *observed)
+{
+    const bool is_new = observed->thread != s->thread;
+    if (s->phase == VBSS_SESSION_PHASE_CUT &&
+        (is_new || observed->thread_length < s->thread_length)) {
+        observed->free_length = vbss_session_find_free_length(
+            s, entry_count, observed->thread, is_new ? SESSION_EXIT : SESSION_ENTRY);
+    }
+}
+
 void vbss_session_observe(const session_object *s, session_observation *observed)
 {
     scene_info scene;
@@ -231,4 +243,5 @@ void vbss_session_observe(const session_object *s, session_observation *observed
         }
     }
     observe_drain(s, &b, observed);
+    observe_cut(s, scene.entry_count, observed);
 }

@@ -101,6 +101,9 @@ typedef struct session_observation {
     double
         needle_pull; /* smallest tension of the limb beside the needle: a hand pulls with so much, N */
     vec3 thread_ends[SESSION_SIDES]; /* the tail's end; the first node */
+    /* In the step of a cut: what it left of the limb up to the first strand that touches it, m. 0: it is in the knot, as
+     * the piece that was cut off touches what is left. */
+    double free_length;
     /* Gap of the slit, m: in its middle, the largest along it, and in its middle with a sign, which
      * is negative if the edges have crossed. config.gap_measure says between what. */
     double gap, max_gap, signed_gap;
@@ -428,6 +431,12 @@ void vbss_session_observe(const session_object *s, session_observation *observed
 /* Steps the detector if it is due, and stores its result in the observation and in the session.
  * Returns the error of the detector. */
 vbss_result vbss_session_observe_knot(session_object *s, session_observation *observed);
+
+/* ---- cut.c */
+
+/* Value of session_observation.free_length, for the thread of the stitch, of which one limb was cut. */
+double vbss_session_find_free_length(const session_object *s, uint32_t entry_count, uint32_t number,
+                                     uint32_t limb);
 
 /* ---- phase.c */
 

@@ -116,6 +116,20 @@ static void knot_cut_from_needle_side(void **state)
     rig_end(&r);
 }
 
+/* The detector may find a crossing of the hanging limbs far out, beyond a cut. */
+static void cut_of_free_limb_inside_located_knot_does_not_fail(void **state)
+{
+    (void)state;
+    rig r;
+    to_located_knot(&r);
+    cut_limb(&r, 3.9e-3);
+    r.observation.free_length = 2.5e-3;
+    rig_run(&r, RIG_STEP);
+    expect_near(2.5e-3, rig_expect(&r, VBSS_SESSION_EVENT_CUT, SESSION_EXIT, 0)->amount, 1e-12);
+    rig_expect_quiet(&r);
+    rig_end(&r);
+}
+
 static void cut_distance_is_measured_from_knot(void **state)
 {
     (void)state;
@@ -192,6 +206,7 @@ int test_failures(void)
         cmocka_unit_test(thread_cut_before_stitch),
         cmocka_unit_test(knot_cut_from_tail_side),
         cmocka_unit_test(knot_cut_from_needle_side),
+        cmocka_unit_test(cut_of_free_limb_inside_located_knot_does_not_fail),
         cmocka_unit_test(cut_distance_is_measured_from_knot),
         cmocka_unit_test(stitch_cut_in_tissue),
         cmocka_unit_test(thread_breaks_if_breakable),
