@@ -41,6 +41,7 @@ enum { SQUARED_NO_MORE = 2 };
 #define PULLING 0.02  /* m/s, at most */
 #define FAR_W (-0.07) /* m, to where both pull in the end */
 #define FAR_C 0.095
+#define BEYOND 0.01 /* m, of the tip, at least */
 /* Slip measure from which one end bends and the other does not; up to which both do alike. */
 #define BENDS 0.2
 #define EVEN 0.25
@@ -155,10 +156,12 @@ static void pull_one_first(throw_run *t, double dt)
     t->clear = light == full && t->clear == 0.0 ? dt : pulled ? t->clear + dt : t->clear;
 }
 
-/* Far out, and so low. */
-static vec outward(const throw_run *t, double x)
+/* Far out, and so low; farther than where the tip is already, as a long limb is slack there still. */
+static vec outward(const throw_run *t, const hand_pose *p, double x)
 {
-    return v3(x + (x > 0.0 ? t->plan.far : -t->plan.far), 0.0, -t->plan.low);
+    const double side = x > 0.0 ? 1.0 : -1.0;
+    const double far = larger(side * x + t->plan.far, side * p->tip.x + BEYOND);
+    return v3(side * far, 0.0, -t->plan.low);
 }
 
 /* The tail was drawn through straight, and the limb lies about it: pulled like that, the throw is a half hitch. W gives until the tail bends as
@@ -176,7 +179,7 @@ static bool is_even(throw_run *t, double dt)
     t->carrot_w = v_add(s->tool_w.tip, v_limit(v_sub(t->carrot_w, s->tool_w.tip), AHEAD_W));
     hand_go(s->w, t->carrot_w, 0.05);
     const double speed = clamp(0.4 * (CLOSING - s->tension_c), -0.02, 0.02);
-    draw(s->c, &s->tool_c, &t->carrot_c, outward(t, FAR_C), speed, dt);
+    draw(s->c, &s->tool_c, &t->carrot_c, outward(t, &s->tool_c, FAR_C), speed, dt);
     const bool is = s->tension_c > 0.5 * CLOSING && fabs(t->slip) < EVEN;
     t->clear = is ? t->clear + dt : 0.0;
     return t->clear > 0.1;
@@ -212,7 +215,7 @@ static bool is_closed(throw_run *t, double dt)
     }
     throw_on_leash(t, CLOSING, dt);
     double speed = clamp(0.4 * (CLOSING - s->tension_c), -0.02, 0.02);
-    vec to = turned(outward(t, FAR_C), raised ? ACROSS : t->plan.askew);
+    vec to = turned(outward(t, &s->tool_c, FAR_C), raised ? ACROSS : t->plan.askew);
     to.z += askew ? ABOVE_ASKEW : 0.0;
     draw(s->c, &s->tool_c, &t->carrot_c, to, speed, dt);
     t->clear = s->tension_c > 0.5 * CLOSING ? t->clear + dt : 0.0;
@@ -231,7 +234,8 @@ static bool is_taken_up(throw_run *t, double dt)
     if (!t->plan.still || t->closed > 0.0) {
         return true;
     }
-    pull(s->c, &s->tool_c, &t->carrot_c, outward(t, FAR_C), s->tension_c, 2.0 * CLOSING, dt);
+    pull(s->c, &s->tool_c, &t->carrot_c, outward(t, &s->tool_c, FAR_C), s->tension_c, 2.0 * CLOSING,
+         dt);
     if (s->tension_c > CLOSING || t->since > 8.0) {
         t->closed = t->since;
         t->carrot_w = s->tool_w.tip;
@@ -303,7 +307,7 @@ static void pull_back(throw_run *t, double dt)
     t->asked = smaller(smaller(t->asked + RISE * dt, weaker + AHEAD), full);
     double of_w = smaller(t->asked, s->tension_c + unlike - lean);
     double of_c = smaller(t->asked, s->tension_w + unlike + lean);
-    vec w = outward(t, FAR_C), c = outward(t, FAR_W);
+    vec w = outward(t, &s->tool_w, FAR_C), c = outward(t, &s->tool_c, FAR_W);
     draw_to(s->w, &s->tool_w, &t->carrot_w, w, s->tension_w, of_w, dt);
     draw_to(s->c, &s->tool_c, &t->carrot_c, c, s->tension_c, of_c, dt);
     t->clear += weaker > 0.9 * full ? dt : 0.0;
@@ -324,8 +328,8 @@ static void pull_alike(throw_run *t, double dt)
         of_w = smaller(of_w, share * wanted);
         of_c = smaller(wanted, s->tension_w / share + more + lean);
     }
-    pull(s->w, &s->tool_w, &t->carrot_w, outward(t, FAR_W), s->tension_w, of_w, dt);
-    pull(s->c, &s->tool_c, &t->carrot_c, outward(t, FAR_C), s->tension_c, of_c, dt);
+    pull(s->w, &s->tool_w, &t->carrot_w, outward(t, &s->tool_w, FAR_W), s->tension_w, of_w, dt);
+    pull(s->c, &s->tool_c, &t->carrot_c, outward(t, &s->tool_c, FAR_C), s->tension_c, of_c, dt);
     t->clear += s->tension_w > 0.9 * share * full && s->tension_c > 0.9 * full ? dt : 0.0;
 }
 
@@ -334,7 +338,7 @@ static void pull_tail_alone(throw_run *t, double dt)
 {
     senses *s = t->see;
     const double full = t->plan.pull;
-    pull(s->w, &s->tool_w, &t->carrot_w, outward(t, FAR_W), s->tension_w, full, dt);
+    pull(s->w, &s->tool_w, &t->carrot_w, outward(t, &s->tool_w, FAR_W), s->tension_w, full, dt);
     throw_follow(t, t->plan.light, dt);
     t->clear += s->tension_w > 0.9 * full ? dt : 0.0;
 }
@@ -342,7 +346,8 @@ static void pull_tail_alone(throw_run *t, double dt)
 static void pull_limb_alone(throw_run *t, double dt)
 {
     senses *s = t->see;
-    pull(s->c, &s->tool_c, &t->carrot_c, outward(t, FAR_C), s->tension_c, t->plan.pull, dt);
+    pull(s->c, &s->tool_c, &t->carrot_c, outward(t, &s->tool_c, FAR_C), s->tension_c, t->plan.pull,
+         dt);
     hand_yield(s->w, &s->tool_w, &t->carrot_w, steer_tail_root(t), s->tension_w, dt);
 }
 
