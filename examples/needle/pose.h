@@ -90,4 +90,13 @@ static inline pose pose_turned(const pose *p, vec axis, double angle)
     return r;
 }
 
+/* What turns all about an axis through a point of the world. */
+static inline pose pose_about(vec point, vec axis, double angle)
+{
+    pose r = {.q = {vbss_cos(0.5 * angle)}};
+    v_store(r.q + 1, v_scale(vbss_sin(0.5 * angle), axis));
+    r.at = v_sub(point, hand_rotate(r.q, point));
+    return r;
+}
+
 #endif

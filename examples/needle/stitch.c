@@ -6,12 +6,18 @@
 #define UP 1.92      /* to where, in the needle's plane, rad */
 #define PRESS 0.5e-3 /* jaws into the floor, so that they are on it */
 #define OVER 12e-3
-#define BEFORE 5e-3    /* of the mark, where the needle is brought */
-#define LONGEST 27e-3  /* of the way beyond the right mark */
-#define OUT 8.5e-3     /* of the tip in the end */
-#define ENOUGH 7e-3    /* of it, if the needle has gone as far as it goes, or drags */
-#define DRAGS 3.0      /* N: the wall goes along with the needle that is in it; */
-#define BACK_BY 2.5e-3 /* m, then */
+#define OFF_FLOOR 3e-3    /* m, of the shaft */
+#define BEFORE 5e-3       /* of the mark, where the needle is brought */
+#define LONGEST 27e-3     /* of the way beyond the right mark */
+#define OUT 8.5e-3        /* of the tip in the end */
+#define ENOUGH 7e-3       /* of it, if the needle has gone as far as it goes, or drags */
+#define DRAGS 3.0         /* N: the wall goes along with the needle that is in it; */
+#define BACK_BY 2.5e-3    /* m, then */
+#define LOCKED 4e-3       /* m, that the walls have gone along with the needle */
+#define PATIENCE 8.0      /* s, of every state in the drain */
+#define ON_WALL 0.4       /* s: after that time there the fork bears the left wall */
+#define YIELDING 1e-3     /* m for each N, across the line of both holes */
+#define YIELDING_TIME 0.1 /* s */
 #define BUMPS \
     1.5 /* N: felt on the way to the mark, more than that means that the needle is at the other tool */
 #define FARTHEST_BACK 10e-3 /* of the tip before the right mark, drawn out of that wall */
@@ -25,6 +31,7 @@
 #define SEEING 0.1     /* s, delay of what is seen */
 
 enum { TRIES = 5 };  /* to take it, to enter the right wall */
+enum { HELPS = 2 };  /* of the fork, for a needle that locks */
 enum { BACKS = 10 }; /* of a needle that drags */
 
 static const char *const names[] = {"lie",   "reach", "lower", "close", "lift", "bring", "aim",
@@ -71,9 +78,22 @@ static pose grip(const site *s)
     return hold_grip(s, HOLD * s->arc * s->radius, 0.0, LEAN, UP);
 }
 
+/* The tool lies nearly along the needle's axis, and goes down behind as the needle turns. Where its shaft would come to the floor the hand raises it, and
+ * the needle leans with it, about its centre: a shaft on the floor is a lever that lifts the drain. */
 static void steer(stitch *t, const pose *needle, double speed)
 {
-    hold_steer(&t->right, &t->held, needle, speed);
+    hand *h = &t->right;
+    const pose back = pose_back(&t->held);
+    pose tool = pose_after(needle, &back);
+    const vec up = v3(0.0, 0.0, 1.0), shaft = hand_rotate(tool.q, up);
+    const double lowest = t->site.floor + h->shape.shaft_radius + OFF_FLOOR;
+    const double rise = clamp((lowest - tool.at.z) / h->shape.shaft_length, -1.0, 1.0);
+    if (shaft.z < rise) {
+        const double angle = vbss_acos(shaft.z) - vbss_acos(rise);
+        const pose raised = pose_about(needle->at, v_unit(v_cross(shaft, up)), angle);
+        tool = pose_after(&raised, &tool);
+    }
+    hold_go(h, &tool, speed);
 }
 
 static void take(stitch *t)
@@ -177,14 +197,49 @@ static void enter_wall(stitch *t, double step)
     }
 }
 
+/* Once the needle is in both walls the hand gives way to what it feels across the line of both holes: pressed on its holes, the needle rubs, and drags the drain
+ * along. */
+static void yield_across(stitch *t, double dt)
+{
+    vec to = v3(0.0, 0.0, 0.0);
+    if (t->state == STITCH_DRAW) {
+        const vec chord = v_unit(v_sub(t->hole[SITE_LEFT], t->hole[SITE_RIGHT]));
+        to = v_limit(v_scale(YIELDING, v_across(t->right.felt, chord)), STITCH_FOLLOW);
+    }
+    t->yields = v_mix(t->yields, to, dt / YIELDING_TIME);
+}
+
+/* How far the walls have gone along with the needle since it came out of the left one, m. */
+static double along_with_needle(const stitch *t)
+{
+    return t->gone - t->out - t->ahead;
+}
+
+/* Held by two holes near to each other, a needle locks, and the drain goes along. It goes back as far, and on again when the fork bears the left wall. */
+static double wait_for_fork(stitch *t, double step)
+{
+    t->back -= step;
+    t->awaits_fork = t->support != SUPPORT_ON || t->support_since < ON_WALL;
+    return t->back > 0.0 ? -step : 0.0;
+}
+
 /* A wall that goes along with the needle instead of sliding on it is torn off in the end. So the needle goes back a little, and on again;
  * farther back only if that helps. */
 static double draw_on(stitch *t, double step)
 {
-    const double feels = stitch_felt(&t->right);
+    const double feels = stitch_felt(&t->right), along = along_with_needle(t);
     const bool has_gone_on = t->relieved == 0 || t->back < -BACK_BY;
     const bool helps = t->back <= 0.0 && feels < t->dragged;
-    if ((has_gone_on || helps) && feels > DRAGS && t->relieved < BACKS) {
+    if (t->awaits_fork) {
+        return wait_for_fork(t, step);
+    }
+    if (along > LOCKED && t->helps < HELPS) {
+        t->helps++;
+        t->awaits_fork = true;
+        t->back = along;
+        t->since = 0.0;
+        stitch_enter_support(t, SUPPORT_BESIDE);
+    } else if ((has_gone_on || helps) && feels > DRAGS && t->relieved < BACKS) {
         t->relieved++;
         t->dragged = feels;
         t->back = BACK_BY;
@@ -205,7 +260,7 @@ static void drive(stitch *t, double dt)
     if (t->withdraws && t->gone >= STITCH_IN_LUMEN) {
         stitch_enter_state(t, STITCH_EASE);
     }
-    bool ready = t->support == SUPPORT_ON && t->support_since > 0.4;
+    bool ready = t->support == SUPPORT_ON && t->support_since > ON_WALL;
     bool waits = t->state == STITCH_CROSS && t->gone >= STITCH_IN_LUMEN;
     if (t->state == STITCH_LEAVE) { /* the wall drives the tip aside */
         vec off = stitch_miss(t);
@@ -224,6 +279,7 @@ static void drive(stitch *t, double dt)
     } else if (!waits && t->gone < LONGEST) {
         t->gone += t->state == STITCH_DRAW ? draw_on(t, step) : step;
     }
+    yield_across(t, dt);
     t->along = smaller(1.0, t->along + dt / 0.5);
     pose other = stitch_crossing(t);
     needle = pose_mix(&needle, &other, t->along);
@@ -235,7 +291,9 @@ static void drive(stitch *t, double dt)
     if (t->state == STITCH_DRAW && t->out > enough) {
         stitch_enter_state(t, STITCH_DONE);
     }
-    if (t->since > 8.0) {
+    if (t->since > PATIENCE && t->state == STITCH_DRAW) {
+        stitch_restart(t);
+    } else if (t->since > PATIENCE) {
         stitch_fail(t, "the left wall is not left");
     }
 }

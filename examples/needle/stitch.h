@@ -68,10 +68,14 @@ typedef struct stitch {
     int relieved;      /* times that it has gone back in its hole there, because it dragged */
     double back;       /* so far it still has to, m; below 0: it has gone on since */
     double dragged;    /* N, that the hand felt then */
-    vec hole[2];       /* left, right, likewise */
-    vec entry;         /* where the right mark is taken to be while it is entered */
-    double gone;       /* the tip beyond the right mark along the way it shall go, m */
-    double along;      /* share of the change from the circle of entry to that through both marks */
+    double ahead;      /* gone - out, m, when it came out of the left wall */
+    int helps;         /* times that the fork has come again because the needle was locked */
+    bool awaits_fork;
+    vec hole[2];  /* left, right, likewise */
+    vec entry;    /* where the right mark is taken to be while it is entered */
+    double gone;  /* the tip beyond the right mark along the way it shall go, m */
+    vec yields;   /* m, by which it gives way to what the hand feels */
+    double along; /* share of the change from the circle of entry to that through both marks */
     uint32_t punctures, others; /* holes made; tears, slips out, withdrawals */
     uint32_t holes[2];          /* their ids: left, right */
     vbss_scene_hole made[2];    /* when made */

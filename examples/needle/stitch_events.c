@@ -23,6 +23,7 @@ static void punctured(stitch *t, uint32_t id)
         t->entry = v_add(site_mark_at_rest(&t->site, SITE_RIGHT), t->beside);
         stitch_enter_state(t, STITCH_CROSS);
     } else if (side == SITE_LEFT && t->state >= STITCH_CROSS && t->state < STITCH_DRAW) {
+        t->ahead = t->gone - hole.arc_length;
         stitch_enter_state(t, STITCH_DRAW);
     }
 }
@@ -64,6 +65,7 @@ static void lose_hole(stitch *t, int side, stitch_state then)
 {
     t->holes[side] = 0;
     t->punctures--;
+    t->awaits_fork = false;
     t->out = side == SITE_LEFT ? 0.0 : t->out;
     stitch_enter_state(t, then);
 }

@@ -40,19 +40,23 @@ static yielding check_yielding(stitch *t)
     return leaves ? LEAVES : wedges ? WEDGES : HOLDS;
 }
 
-/* After so many tries at the left wall the first hole may be the cause: it is aslant or far from its mark. The needle is withdrawn, and the right wall is
- * entered again. */
-void stitch_restart_if_often_tried(stitch *t)
+/* The needle is withdrawn, and the right wall is entered again: the first hole may be the cause, since it is aslant or far from its mark. */
+void stitch_restart(stitch *t)
 {
-    if (t->again <= AGAIN) {
-        return;
-    }
     if (++t->restart_count > RESTARTS) {
         stitch_fail(t, "the left wall gives way");
         return;
     }
-    t->again = 0;
+    t->again = t->helps = t->relieved = 0;
     t->withdraws = t->restarts = true;
+    stitch_enter_state(t, STITCH_EASE);
+}
+
+void stitch_restart_if_often_tried(stitch *t)
+{
+    if (t->again > AGAIN) {
+        stitch_restart(t);
+    }
 }
 
 /* The fork is set anew, so that the needle comes between its jaws, and nearer to their tips, but not beyond the mark: near its

@@ -40,6 +40,8 @@ void stitch_set_fork_again(stitch *t);
 
 /* ---- stitch_left_wall.c */
 void stitch_retry_if_wall_yields(stitch *t);
+void stitch_restart(stitch *t);
+/* After so many tries at the left wall. */
 void stitch_restart_if_often_tried(stitch *t);
 
 #endif

@@ -2,17 +2,17 @@
 
 #include <string.h>
 
-#define SLACK 15e-3      /* m, by which the needle comes nearer to the drain */
+#define SLACK 15e-3 /* m, by which the needle comes nearer to the drain */
 /* Where the tail is taken: in its middle, but so far from the hole, m, that the jaws stay clear of the drain. Missed, it is taken so much farther out, but that far
  * from its end. */
 #define FROM_HOLE 4.5e-3
 #define FARTHER 1.5e-3
 #define FROM_END 2.5e-3
-#define OPENING 0.6      /* of the handle */
-#define COMING 0.06      /* m/s */
-#define GIVING 0.05      /* m/s, of the needle */
-#define DRAWING 0.012    /* m/s, of the jaws with the tail */
-#define EASING 0.01      /* m/s, back toward the hole */
+#define OPENING 0.6   /* of the handle */
+#define COMING 0.06   /* m/s */
+#define GIVING 0.05   /* m/s, of the needle */
+#define DRAWING 0.012 /* m/s, of the jaws with the tail */
+#define EASING 0.01   /* m/s, back toward the hole */
 #define UP 0.7 /* height for a length of 1 along the tail, of the direction in which it is drawn */
 #define TOO_HARD 1.5   /* N */
 #define NOTHING 0.03   /* N */

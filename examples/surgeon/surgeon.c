@@ -174,7 +174,8 @@ static vbss_result pull(surgeon *s, double dt)
         s->gap_before = s->gap;
         double limit = s->pull.jammed ? TAIL_JAMMED : TAIL_LONG;
         if (s->tail < TAIL_SHORT || s->tail > limit || s->gap < GAP_OPEN) {
-            fail(s, "tail or slit are not as they shall be");
+            fail(s, s->lengthen.state == LENGTHEN_FAILED ? "the short tail is not drawn out"
+                                                         : "tail or slit are not as they shall be");
         }
         return surgeon_begin_tie(s);
     }

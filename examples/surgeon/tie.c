@@ -19,7 +19,7 @@
 #define ROOMY 14e-3
 #define NEARLY_OUT 6e-3
 #define LOOSE 0.85
-#define LOW 0.012     /* m below the drain's top, to where both hands pull: just above the floor */
+#define LOW 0.012    /* m below the drain's top, to where both hands pull: just above the floor */
 #define ENOUGH 1.0   /* N, of both hands, if the slit is shut */
 #define SHUT 0.45e-3 /* m, between the edges' middles: closer than lips that meet */
 /* Pulled from where the first was: open no wider than that between the lips, both hands pull so much; or less, if the drain goes with one of

@@ -12,7 +12,7 @@ static vec3 hairpin(double arc, double beside)
     return arc <= 0.02 ? vec3_make(arc, 0.0, 0.0) : vec3_make(0.041 - arc, beside, 0.0);
 }
 
-static void lay_node(vbss_thread *thread, uint32_t node, vec3 position)
+static void set_node(vbss_thread *thread, uint32_t node, vec3 position)
 {
     thread_object *t;
     expect_ok(vbss_thread_open(thread, &t));
@@ -32,14 +32,14 @@ static double free_length(uint32_t limb, bool with_piece, const vec3 *past)
         small_thread(&s, vec3_zero(), vec3_make(0.03, 0.0, 0.0), LEFT_SEGMENTS, &left);
     const double beside = 2.0 * s.thread.radius;
     for (uint32_t i = 0; i <= LEFT_SEGMENTS; i++) {
-        lay_node(left, reversed ? LEFT_SEGMENTS - i : i, hairpin(i * SEGMENT, beside));
+        set_node(left, reversed ? LEFT_SEGMENTS - i : i, hairpin(i * SEGMENT, beside));
     }
     if (with_piece) {
         (void)small_thread(&s, vec3_make(0.0, 0.1, 0.0), vec3_make(0.02, 0.1, 0.0), PIECE_SEGMENTS,
                            &piece);
         for (uint32_t i = 0; i <= PIECE_SEGMENTS; i++) {
             vec3 at = vec3_make(-SEGMENT * i, 0.0, 0.0);
-            lay_node(piece, reversed ? i : PIECE_SEGMENTS - i,
+            set_node(piece, reversed ? i : PIECE_SEGMENTS - i,
                      i == PIECE_SEGMENTS && past != NULL ? *past : at);
         }
     }
