@@ -6,18 +6,16 @@
 #define UP 1.92      /* to where, in the needle's plane, rad */
 #define PRESS 0.5e-3 /* jaws into the floor, so that they are on it */
 #define OVER 12e-3
-#define OFF_FLOOR 3e-3    /* m, of the shaft */
-#define BEFORE 5e-3       /* of the mark, where the needle is brought */
-#define LONGEST 27e-3     /* of the way beyond the right mark */
-#define OUT 8.5e-3        /* of the tip in the end */
-#define ENOUGH 7e-3       /* of it, if the needle has gone as far as it goes, or drags */
-#define DRAGS 3.0         /* N: the wall goes along with the needle that is in it; */
-#define BACK_BY 2.5e-3    /* m, then */
-#define LOCKED 4e-3       /* m, that the walls have gone along with the needle */
-#define PATIENCE 8.0      /* s, of every state in the drain */
-#define ON_WALL 0.4       /* s: after that time there the fork bears the left wall */
-#define YIELDING 1e-3     /* m for each N, across the line of both holes */
-#define YIELDING_TIME 0.1 /* s */
+#define OFF_FLOOR 3e-3 /* m, of the shaft */
+#define BEFORE 5e-3    /* of the mark, where the needle is brought */
+#define LONGEST 27e-3  /* of the way beyond the right mark */
+#define OUT 8.5e-3     /* of the tip in the end */
+#define ENOUGH 7e-3    /* of it, if the needle has gone as far as it goes, or drags */
+#define DRAGS 3.0      /* N: the wall goes along with the needle that is in it; */
+#define BACK_BY 2.5e-3 /* m, then */
+#define LOCKED 4e-3    /* m, that the walls have gone along with the needle */
+#define PATIENCE 8.0   /* s, of every state in the drain */
+#define ON_WALL 0.4    /* s: after that time there the fork bears the left wall */
 #define BUMPS \
     1.5 /* N: felt on the way to the mark, more than that means that the needle is at the other tool */
 #define FARTHEST_BACK 10e-3 /* of the tip before the right mark, drawn out of that wall */
@@ -197,18 +195,6 @@ static void enter_wall(stitch *t, double step)
     }
 }
 
-/* Once the needle is in both walls the hand gives way to what it feels across the line of both holes: pressed on its holes, the needle rubs, and drags the drain
- * along. */
-static void yield_across(stitch *t, double dt)
-{
-    vec to = v3(0.0, 0.0, 0.0);
-    if (t->state == STITCH_DRAW) {
-        const vec chord = v_unit(v_sub(t->hole[SITE_LEFT], t->hole[SITE_RIGHT]));
-        to = v_limit(v_scale(YIELDING, v_across(t->right.felt, chord)), STITCH_FOLLOW);
-    }
-    t->yields = v_mix(t->yields, to, dt / YIELDING_TIME);
-}
-
 /* How far the walls have gone along with the needle since it came out of the left one, m. */
 static double along_with_needle(const stitch *t)
 {
@@ -279,7 +265,6 @@ static void drive(stitch *t, double dt)
     } else if (!waits && t->gone < LONGEST) {
         t->gone += t->state == STITCH_DRAW ? draw_on(t, step) : step;
     }
-    yield_across(t, dt);
     t->along = smaller(1.0, t->along + dt / 0.5);
     pose other = stitch_crossing(t);
     needle = pose_mix(&needle, &other, t->along);

@@ -74,7 +74,6 @@ typedef struct stitch {
     vec hole[2];  /* left, right, likewise */
     vec entry;    /* where the right mark is taken to be while it is entered */
     double gone;  /* the tip beyond the right mark along the way it shall go, m */
-    vec yields;   /* m, by which it gives way to what the hand feels */
     double along; /* share of the change from the circle of entry to that through both marks */
     uint32_t punctures, others; /* holes made; tears, slips out, withdrawals */
     uint32_t holes[2];          /* their ids: left, right */

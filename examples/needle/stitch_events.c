@@ -105,6 +105,14 @@ static bool sprang_off(stitch *t, uint32_t id)
     return just;
 }
 
+/* A hole beside the two, made where a wall was folded, is no more. */
+static bool has_left_other(stitch *t, uint32_t id)
+{
+    const bool is = t->others > 0 && id != t->holes[SITE_LEFT] && id != t->holes[SITE_RIGHT];
+    t->others -= is ? 1 : 0;
+    return is;
+}
+
 vbss_result stitch_observe(stitch *t)
 {
     const throw_rig *rig = &t->site.rig;
@@ -116,7 +124,8 @@ vbss_result stitch_observe(stitch *t)
         if (e->kind == VBSS_SCENE_EVENT_PUNCTURE) {
             punctured(t, e->id);
         } else if (e->kind == VBSS_SCENE_EVENT_WITHDRAWN &&
-                   (sprang_off(t, e->id) || is_drawn_out(t, e->id) || is_withdrawn(t, e->id))) {
+                   (sprang_off(t, e->id) || is_drawn_out(t, e->id) || is_withdrawn(t, e->id) ||
+                    has_left_other(t, e->id))) {
             continue;
         } else if (e->kind == VBSS_SCENE_EVENT_TORN || e->kind == VBSS_SCENE_EVENT_WITHDRAWN) {
             t->others++;

@@ -3,6 +3,7 @@
 
 #define LEAD \
     0.35e-3 /* toward the slit, as the tip slides away from it on the wall before it enters */
+#define TO_HOLES 0.3 /* s, in which the circle moves from the marks to the holes */
 
 vec stitch_targeted(const stitch *t, int side)
 {
@@ -45,10 +46,22 @@ vec stitch_miss(const stitch *t)
     return v_along(out, v_dot(to, z), z);
 }
 
-/* On the circle through the first hole and the left mark, above which its centre lies, so far beyond the hole; beside it, where the hand yields. */
+/* By STITCH_FOLLOW at most: a needle that follows its holes without limit tears the drain off. */
+static vec toward_hole(vec at_rest, vec hole, double share)
+{
+    return v_along(at_rest, share, v_limit(v_sub(hole, at_rest), STITCH_FOLLOW));
+}
+
+/* On the circle through the first hole and the left mark, above which its centre lies, so far beyond the hole. Once the needle is in both walls, the
+ * circle goes through both holes: one through the marks at rest presses on the holes, and friction drags the drain along. */
 pose stitch_crossing(const stitch *t)
 {
-    const vec from = v_add(t->entry, t->yields), to = v_add(exit_target(t), t->yields);
+    vec from = t->entry, to = exit_target(t);
+    if (t->state == STITCH_DRAW) {
+        const double share = smaller(1.0, t->since / TO_HOLES);
+        from = toward_hole(from, t->hole[SITE_RIGHT], share);
+        to = toward_hole(to, t->hole[SITE_LEFT], share);
+    }
     vec e1 = v_unit(v_sub(from, to)), e3 = v_unit(v_across(v3(0.0, 0.0, 1.0), e1));
     double half = 0.5 * v_distance(from, to), r = t->site.radius;
     vec centre = v_along(v_mix(from, to, 0.5), sqrt(r * r - half * half), e3);
