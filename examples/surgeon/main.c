@@ -1,6 +1,7 @@
 /* A scripted surgeon makes a stitch, through devices alone:
  *
- *     surgeon [-s seed] [-n seeds] [-g seeds that must be good: all] [-u pass|pull|tie|over|second|back|third|cut: the last stage] [-t most seconds]
+ *     surgeon [-s seed] [-n seeds] [-g seeds that must be good: all] [-f most N that a hand of a good one feels]
+ *             [-u pass|pull|tie|over|second|back|third|cut: the last stage] [-t most seconds]
  *             [-w budget of a step in us, 0: none] [-c the same of a call] [-l log] [-p folder for pictures]
  *             [-e seconds between them] [-v] [-j file that gets a line of JSON more for each seed]
  *             [-k expert|resident|novice: whose hands] [--mend: the mistake is mended when the coach says so]
@@ -13,6 +14,7 @@
  * The log is played back. Prints the result of each seed. Exits 0 if logs play back to the same, no simulation fails, and each
  * seed, or as many as -g asks for, is good: the last stage that was named is made; without one, the session calls the task done and the slit is
  * shut; with -m the session reports the mistake; with --mend it is mended as far as it can be. Else exits 1. */
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -23,7 +25,8 @@
 
 static int usage(void)
 {
-    fprintf(stderr, "surgeon [-s seed] [-n seeds] [-g seeds that must be good: all] [-u "
+    fprintf(stderr, "surgeon [-s seed] [-n seeds] [-g seeds that must be good: all] "
+                    "[-f most N that a hand of a good one feels] [-u "
                     "pass|pull|tie|over|second|back|third|cut] "
                     "[-t most seconds] [-w us of a step] [-c us of a call] [-l log] [-p folder for "
                     "pictures] [-e seconds between them] [-j file for lines of JSON] [-k "
@@ -67,6 +70,7 @@ static bool set_material(site_material *m, const char *word)
 
 typedef struct tally {
     int seeds, smallest; /* to be good; below 0: all */
+    double max_force;   /* N, that either hand of a good one feels */
     int good, failed;    /* simulations, and logs that do not play back */
     const char *lines;   /* file for lines of JSON; may be NULL */
 } tally;
@@ -119,6 +123,9 @@ static bool read_options(int count, char **words, watch *w, tally *t, bool *whol
             break;
         case 'g':
             t->smallest = atoi(words[i]);
+            break;
+        case 'f':
+            t->max_force = strtod(words[i], NULL);
             break;
         case 'u':
             w->options.until = after(words[i]);
@@ -270,7 +277,7 @@ static void run(watch w, bool whole, tally *t)
         printf("  %s, played back: %s\n", w.options.log, same ? "the same hashes" : "NOT THE SAME");
         t->failed += !same;
     }
-    t->good += good;
+    t->good += good && watch_largest_force(&w) <= t->max_force;
     t->failed += result != VBSS_OK;
 }
 
@@ -279,7 +286,7 @@ int main(int count, char **words)
     use_decimal_point();
     watch w = {.options = {.until = SURGEON_DONE}, .time_limit = 600.0, .every = 1e9};
     vbss_solver_options solver = vbss_solver_options_default();
-    tally t = {.seeds = 1, .smallest = -1};
+    tally t = {.seeds = 1, .smallest = -1, .max_force = (double)INFINITY};
     bool whole = true; /* until a last stage is named */
     if (!read_options(count, words, &w, &t, &whole, &solver)) {
         return usage();

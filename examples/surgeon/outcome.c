@@ -39,9 +39,10 @@ static void write_phases(FILE *out, const watch *w, const vbss_metrics_report *r
     fprintf(out, "}");
 }
 
+static const vbss_metrics_tool tools[2] = {VBSS_METRICS_TOOL_LEFT, VBSS_METRICS_TOOL_RIGHT};
+
 static void write_motion(FILE *out, const watch *w)
 {
-    static const vbss_metrics_tool tools[2] = {VBSS_METRICS_TOOL_LEFT, VBSS_METRICS_TOOL_RIGHT};
     static const char *const names[2] = {"left", "right"};
     for (int i = 0; i < 2; i++) {
         vbss_metrics_motion m;
@@ -53,6 +54,19 @@ static void write_motion(FILE *out, const watch *w)
                     names[i], m.path_length, m.idle_share, m.force_peak, m.force_integral);
         }
     }
+}
+
+double watch_largest_force(const watch *w)
+{
+    double largest = 0.0;
+    for (int i = 0; i < 2; i++) {
+        vbss_metrics_motion m;
+        if (vbss_metrics_get_motion(w->task.metrics, tools[i], VBSS_METRICS_PHASE_ALL, &m,
+                                    sizeof m) == VBSS_OK) {
+            largest = larger(largest, m.force_peak);
+        }
+    }
+    return largest;
 }
 
 static void write_measures(FILE *out, const watch *w, const surgeon *s)
