@@ -70,7 +70,7 @@ static bool set_material(site_material *m, const char *word)
 
 typedef struct tally {
     int seeds, smallest; /* to be good; below 0: all */
-    double max_force;   /* N, that either hand of a good one feels */
+    double max_force;    /* N, that either hand of a good one feels */
     int good, failed;    /* simulations, and logs that do not play back */
     const char *lines;   /* file for lines of JSON; may be NULL */
 } tally;
