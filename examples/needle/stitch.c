@@ -23,14 +23,14 @@
     1.0 /* N: a needle that is drawn back to the lumen goes on back until the hand feels less, or */
 #define HARDLY_IN 2e-3 /* so much of it is in the first wall */
 #define MISSED 6e-3    /* of the tip beyond the right mark without a hole; it enters at 2 to 3 mm */
-#define TRIMMING 0.1   /* s, in which what misses the mark is taken into the aim */
+#define TRIMMING 0.1   /* s, time constant of the correction of the aim */
 #define SLOWLY 0.5     /* through the left wall, whatever the hand */
 #define NEARLY 0.4e-3  /* beside the mark: with more, slower still */
-#define SEEING 0.1     /* s, delay of what is seen */
+#define SEEING 0.1     /* s, time constant of vision */
 
-enum { TRIES = 5 };  /* to take it, to enter the right wall */
-enum { HELPS = 2 };  /* of the fork, for a needle that locks */
-enum { BACKS = 10 }; /* of a needle that drags */
+enum { TRIES = 5 };        /* to take it, to enter the right wall */
+enum { FORK_RETURNS = 2 }; /* of the fork, for a needle that locks */
+enum { BACKS = 10 };       /* of a needle that drags */
 
 static const char *const names[] = {"lie",   "reach", "lower", "close", "lift", "bring", "aim",
                                     "enter", "cross", "leave", "ease",  "draw", "done",  "failed"};
@@ -219,8 +219,8 @@ static double draw_on(stitch *t, double step)
     if (t->awaits_fork) {
         return wait_for_fork(t, step);
     }
-    if (along > LOCKED && t->helps < HELPS) {
-        t->helps++;
+    if (along > LOCKED && t->fork_returns < FORK_RETURNS) {
+        t->fork_returns++;
         t->awaits_fork = true;
         t->back = along;
         t->since = 0.0;

@@ -69,7 +69,7 @@ typedef struct stitch {
     double back;       /* so far it still has to, m; below 0: it has gone on since */
     double dragged;    /* N, that the hand felt then */
     double ahead;      /* gone - out, m, when it came out of the left wall */
-    int helps;         /* times that the fork has come again because the needle was locked */
+    int fork_returns;  /* times that the fork has come again because the needle was locked */
     bool awaits_fork;
     vec hole[2];  /* left, right, likewise */
     vec entry;    /* where the right mark is taken to be while it is entered */

@@ -3,7 +3,7 @@
 
 #define DRAWN_BACK 2e-3    /* of it drawn back from a left wall, before the fork leaves that */
 #define HELPED 2e-3        /* of it while the left hand still bears the wall */
-#define MORE_HELP 3e-3     /* of it, each time that the needle was locked */
+#define HELPED_LONGER 3e-3 /* of it, each time that the needle was locked */
 #define FORK_BEYOND 1.8e-3 /* of the fork's tips past the mark */
 #define PUSH 4e-3          /* of the wall against the needle */
 
@@ -102,7 +102,7 @@ void stitch_lead_left(stitch *t)
         hand_go(h, v_along(on, -PUSH, direction), STITCH_CAREFUL);
         if (t->state == STITCH_EASE && is_drawn_back(t)) {
             stitch_enter_support(t, SUPPORT_BESIDE);
-        } else if (t->out > HELPED + MORE_HELP * t->helps) {
+        } else if (t->out > HELPED + HELPED_LONGER * t->fork_returns) {
             stitch_enter_support(t, SUPPORT_BACK);
         }
         break;

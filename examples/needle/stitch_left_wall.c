@@ -40,14 +40,14 @@ static yielding check_yielding(stitch *t)
     return leaves ? LEAVES : wedges ? WEDGES : HOLDS;
 }
 
-/* The needle is withdrawn, and the right wall is entered again: the first hole may be the cause, since it is aslant or far from its mark. */
+/* The needle is withdrawn, and the right wall is entered again: the first hole may be the cause, since it is oblique or far from its mark. */
 void stitch_restart(stitch *t)
 {
     if (++t->restart_count > RESTARTS) {
         stitch_fail(t, "the left wall gives way");
         return;
     }
-    t->again = t->helps = t->relieved = 0;
+    t->again = t->fork_returns = t->relieved = 0;
     t->withdraws = t->restarts = true;
     stitch_enter_state(t, STITCH_EASE);
 }

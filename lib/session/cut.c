@@ -43,8 +43,8 @@ static bool has_node_within(const strand *a, double distance, vec3 point, double
     return false;
 }
 
-/* Arc length from the end to the first node that touches another strand, or elsewhere the same one if `other` is
- * that, m; infinite if none does. The two new ends, and what is near along the thread, do not count. */
+/* Arc length from the end to the first node that touches another strand, m, or the same one if `other` is that;
+ * infinite if none does. Neighbours along the strand, and the two ends at the cut, are excluded. */
 static double find_free_length(const strand *a, const strand *other, double distance)
 {
     const double near = 2.0 * distance;

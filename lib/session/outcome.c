@@ -68,7 +68,7 @@ void vbss_session_update_cuts(session_object *s, const session_observation *obse
     double shift = is_new ? lost_length : 0.0;
     double root = limb_root(s, observed, limb, shift);
     double remaining = is_new ? root - lost_length : observed->thread_length - root;
-    if (remaining < 0.0) { /* the detector's places are not nearer to the knot than its end */
+    if (remaining < 0.0) { /* the detector may locate a crossing outside the knot */
         remaining = observed->free_length > 0.0 ? observed->free_length : remaining;
     }
     s->thread = observed->thread;

@@ -7,7 +7,8 @@
  *
  * clock.c keeps the clocks of the task: time, and the part of it that the scene has lost.
  *
- * After the step of the scene, observe.c fills one struct, the observation. It is the only input of
+ * After the step of the scene, observe.c fills one struct, the observation. cut.c measures a limb that was cut. The
+ * observation is the only input of
  * phase.c, throws.c and outcome.c, which derive the facts and the phase of the task. They share the
  * queries of task_state.c, and emit events through events.c.
  *
@@ -101,8 +102,8 @@ typedef struct session_observation {
     double
         needle_pull; /* smallest tension of the limb beside the needle: a hand pulls with so much, N */
     vec3 thread_ends[SESSION_SIDES]; /* the tail's end; the first node */
-    /* In the step of a cut: what it left of the limb up to the first strand that touches it, m. 0: it is in the knot, as
-     * the piece that was cut off touches what is left. */
+    /* In the step of a cut: free length of the limb, from the cut to the first strand that touches it, m. 0: the cut is
+     * inside the knot, since the severed piece touches the rest of the thread. */
     double free_length;
     /* Gap of the slit, m: in its middle, the largest along it, and in its middle with a sign, which
      * is negative if the edges have crossed. config.gap_measure says between what. */
