@@ -270,6 +270,7 @@ static void run(watch w, bool whole, tally *t)
         result == VBSS_OK && (w.options.mistake == SURGEON_NO_MISTAKE ? is_made(&w, &s, whole)
                               : w.options.mends                       ? judge_remedy(&w, &s)
                                                                       : judge_mistake(&w));
+    good = good && watch_largest_force(&w) <= t->max_force;
     t->failed += !write_line(t, &w, &s, result, good);
     throw_rig_destroy(&s.stitch.site.rig);
     if (w.options.log != NULL) {
@@ -277,7 +278,7 @@ static void run(watch w, bool whole, tally *t)
         printf("  %s, played back: %s\n", w.options.log, same ? "the same hashes" : "NOT THE SAME");
         t->failed += !same;
     }
-    t->good += good && watch_largest_force(&w) <= t->max_force;
+    t->good += good;
     t->failed += result != VBSS_OK;
 }
 

@@ -62,9 +62,10 @@ double watch_largest_force(const watch *w)
     for (int i = 0; i < 2; i++) {
         vbss_metrics_motion m;
         if (vbss_metrics_get_motion(w->task.metrics, tools[i], VBSS_METRICS_PHASE_ALL, &m,
-                                    sizeof m) == VBSS_OK) {
-            largest = larger(largest, m.force_peak);
+                                    sizeof m) != VBSS_OK) {
+            return (double)INFINITY;
         }
+        largest = larger(largest, m.force_peak);
     }
     return largest;
 }

@@ -48,7 +48,7 @@ typedef struct watch {
 vbss_result watch_run(watch *w, surgeon *s, watch_step *steps);
 /* The whole task was asked for, and the session says that it is done. */
 bool watch_complete(const watch *w);
-/* N, that a tool of either hand was felt to bear. */
+/* The largest force on either hand, N; infinite if the metrics do not tell it. Before the rig is destroyed. */
 double watch_largest_force(const watch *w);
 /* Plays the log back on the same scene, its session too: true, to equal hashes. */
 bool watch_replay(const watch *w);
