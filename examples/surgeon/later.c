@@ -16,6 +16,8 @@
  * is folded at the knot. The tail of the third throw is shorter. */
 #define SLACK_TAIL 0.75
 #define SLACK_THIRD 0.9
+/* m/s, of W with the tail of the third throw, which it sweeps round the knot: faster, that opened slits (docs/notebook/surgeon.md). */
+#define SLOW_SWEEP 0.02
 #define MIN_HEIGHT 5e-3   /* m above the drain's top, of W then */
 #define LOW 0.012         /* m below the drain's top, to where both pull: just above the floor */
 #define FAR 0.05          /* m farther out than C may be already */
@@ -63,6 +65,7 @@ void surgeon_plan_later(const surgeon *s, double limb, throw_plan *plan)
     plan->off_floor = OFF_FLOOR;
     plan->reach = third ? SLACK_THIRD : SLACK_TAIL;
     plan->min_height = MIN_HEIGHT;
+    plan->sweep = third ? SLOW_SWEEP : plan->sweep;
     plan->pull = kept ? PULL_KEPT : PULL;
 }
 

@@ -92,7 +92,7 @@ void throw_on_leash(throw_run *t, double limit, double dt)
     if (t->state == THROW_DRAW) {
         jaws.z = larger(jaws.z, t->plan.min_height);
     }
-    hand_go(s->w, v_along(jaws, -GRASP_BEHIND, s->tool_w.handle), 0.08);
+    hand_go(s->w, v_along(jaws, -GRASP_BEHIND, s->tool_w.handle), t->plan.sweep);
 }
 
 static void begin_seat(throw_run *t)

@@ -28,6 +28,7 @@ void throw_plan_usual(throw_plan *p, int wraps)
         .clearance = 0.003,
         .widest = 0.05,
         .drawn = 0.15,
+        .sweep = 0.08,
         .reach = REACH,
         .min_height = -1.0,
         .pull = 2.0,

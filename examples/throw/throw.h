@@ -78,6 +78,7 @@ typedef struct throw_plan {
     double widest; /* radius of C's orbit */
     double light;  /* N, of C while the tail is drawn through */
     double drawn;  /* N, of W meanwhile: so little that tied throws do not move */
+    double sweep;  /* m/s, of W meanwhile, at most */
     double reach; /* share of the tail that W goes to while turns are on its jaws: it hangs slack */
     double min_height; /* m above the drain's top, of W meanwhile */
     double tilt;       /* rad, of W's way meanwhile, from upright to the near side */
