@@ -16,7 +16,8 @@
  * is folded at the knot. The tail of the third throw is shorter. */
 #define SLACK_TAIL 0.75
 #define SLACK_THIRD 0.9
-/* m/s, of W with the tail of the third throw, which it sweeps round the knot: faster, that opened slits (docs/notebook/surgeon.md). */
+/* m/s, of W as it sweeps the tail of the third throw round the knot, which unrolls the second. Chosen: with 0.08 one slit of seven opened
+ * farther (docs/notebook/surgeon.md). */
 #define SLOW_SWEEP 0.02
 #define MIN_HEIGHT 5e-3   /* m above the drain's top, of W then */
 #define LOW 0.012         /* m below the drain's top, to where both pull: just above the floor */
